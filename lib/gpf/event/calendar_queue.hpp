@@ -1,0 +1,90 @@
+// The O(1) scheduler: a circular calendar of short unordered lists (Brown, CACM 31 (1988); Paul, J. Comput. Phys. 221
+// (2007)).
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gpf/event/contact_time.hpp"
+#include "gpf/event/disk.hpp"
+
+namespace gpf {
+
+/// One scheduled time per disk. A day holds the events of one stretch of time of about one event; days further ahead
+/// than the calendar is long share its slots and are told apart by their number.
+class CalendarQueue {
+ public:
+  /// Empties the queue for `count` disks and times in [0, horizon]; later ones count as never. `events_per_time` sets
+  /// the width of a day: it decides about speed only.
+  void reset(std::size_t count, double horizon, double events_per_time) {
+    horizon_ = horizon;
+    days_per_time_ = std::min(events_per_time, 0x1p40 / horizon);
+    const std::size_t slots = std::bit_ceil(std::max<std::size_t>(4 * count, 64));
+    mask_ = static_cast<std::int64_t>(slots) - 1;
+    today_ = 0;
+    scheduled_ = 0;
+    front_.assign(slots, -1);
+    entries_.assign(count, Entry{});
+  }
+
+  void schedule(Index i, double time) {
+    Entry& entry = at(i);
+    if (entry.day >= 0) unlink(entry);
+    entry.time = time;
+    entry.day = -1;
+    if (!(time <= horizon_)) return;
+    entry.day = std::max(static_cast<std::int64_t>(time * days_per_time_), today_);
+    Index& front = front_[static_cast<std::size_t>(entry.day & mask_)];
+    entry.next = front;
+    entry.previous = -1;
+    if (front >= 0) at(front).previous = i;
+    front = i;
+    ++scheduled_;
+  }
+
+  /// The disk with the earliest time, -1 when nothing is scheduled. Equal times: any of them.
+  [[nodiscard]] Index earliest() {
+    if (scheduled_ == 0) return -1;
+    for (;; ++today_) {
+      Index best = -1;
+      double best_time = never;
+      for (Index i = front_[static_cast<std::size_t>(today_ & mask_)]; i >= 0; i = at(i).next)
+        if (at(i).day == today_ && at(i).time < best_time) {
+          best = i;
+          best_time = at(i).time;
+        }
+      if (best >= 0) return best;
+    }
+  }
+
+  [[nodiscard]] double time(Index i) const { return entries_[static_cast<std::size_t>(i)].time; }
+
+ private:
+  struct Entry {
+    double time = never;
+    std::int64_t day = -1;  // -1: not in the calendar
+    Index next = -1, previous = -1;
+  };
+
+  Entry& at(Index i) { return entries_[static_cast<std::size_t>(i)]; }
+
+  void unlink(const Entry& entry) {
+    if (entry.next >= 0) at(entry.next).previous = entry.previous;
+    if (entry.previous >= 0)
+      at(entry.previous).next = entry.next;
+    else
+      front_[static_cast<std::size_t>(entry.day & mask_)] = entry.next;
+    --scheduled_;
+  }
+
+  double horizon_ = 0, days_per_time_ = 1;
+  std::int64_t mask_ = 0, today_ = 0;
+  std::size_t scheduled_ = 0;
+  std::vector<Index> front_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace gpf

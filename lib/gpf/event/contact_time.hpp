@@ -1,0 +1,62 @@
+// When two disks in free flight touch (eq. 2.6).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gpf/event/disk.hpp"
+#include "gpf/event/lane.hpp"
+
+namespace gpf {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Two disks at the later of their times; r from a to b, u = u_b - u_a.
+template <class Real>
+struct Encounter {
+  Real rx, ry;
+  Real approach;      ///< r.u, negative while they approach
+  Real discriminant;  ///< u^2 d^2 - (r x u)^2, positive when they meet: this form stays accurate for far pairs
+
+  /// Whether they will touch. A grazing pass (discriminant zero) is no contact.
+  [[nodiscard]] auto meet() const { return (approach < 0) & (discriminant > 0); }
+};
+
+/// Finds the next contact of two disks. The answer is a function of the two states alone - not of the time at which
+/// one asks, nor of who is named first - so trajectories do not depend on cells, queues or the order of work.
+class ContactTime {
+ public:
+  /// `deepest` is the overlap d - |r| (a length) that round-off can explain.
+  ContactTime(double diameter, double deepest) : d2_(diameter * diameter), deepest_gap_(-2 * diameter * deepest) {}
+
+  /// b (one disk, or a lane of them) is taken in the image displaced by (shift_x, shift_y).
+  template <class Real>
+  [[nodiscard]] Encounter<Real> encounter(const Flight& a, const FlightOf<Real>& b, double shift_x,
+                                          double shift_y) const {
+    const Real flight_b = positive_part(a.time - b.time), flight_a = positive_part(b.time - a.time);
+    const Real ux = b.vx - a.vx, uy = b.vy - a.vy;
+    const Real rx = (b.x - a.x + shift_x) + (b.vx * flight_b - a.vx * flight_a);
+    const Real ry = (b.y - a.y + shift_y) + (b.vy * flight_b - a.vy * flight_a);
+    const Real moment = rx * uy - ry * ux;
+    return {rx, ry, rx * ux + ry * uy, (ux * ux + uy * uy) * d2_ - moment * moment};
+  }
+
+  struct Contact {
+    double time;
+    bool overlap;  ///< the pair approaches from deeper inside each other than round-off explains
+  };
+
+  /// Of an encounter whose disks meet. The root as gap/(sqrt(disc) - r.u), which stays accurate for near pairs;
+  /// a pair inside each other touches at once.
+  [[nodiscard]] Contact contact(const Encounter<double>& e, double time_a, double time_b) const {
+    const double gap = e.rx * e.rx + e.ry * e.ry - d2_;
+    const double flight = gap / (std::sqrt(e.discriminant) - e.approach);
+    return {std::max(time_a, time_b) + std::max(flight, 0.0), gap < deepest_gap_};
+  }
+
+ private:
+  double d2_, deepest_gap_;
+};
+
+}  // namespace gpf

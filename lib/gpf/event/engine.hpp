@@ -1,0 +1,313 @@
+// The event-driven engine: Lubachevsky's algorithm (thesis sec. 2.3) in the falling frame.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "gpf/base/error.hpp"
+#include "gpf/base/hash.hpp"
+#include "gpf/event/calendar_queue.hpp"
+#include "gpf/event/cells.hpp"
+#include "gpf/event/contact_time.hpp"
+#include "gpf/event/disk.hpp"
+#include "gpf/event/engine_state.hpp"
+#include "gpf/event/observer.hpp"
+#include "gpf/event/position_grid.hpp"
+#include "gpf/event/rules.hpp"
+#include "gpf/scene/scene.hpp"
+#include "gpf/scene/state.hpp"
+
+namespace gpf {
+
+/// Moves the disks of a scene from contact to contact.
+///
+/// Each disk has one scheduled event: its next contact or its exit from its cell, whichever comes first. A contact is
+/// scheduled by the disk that finds it; when its partner has collided in between it is stale and the disk looks again.
+/// Time runs in epochs of a power-of-two length: at the start of each all disks are brought to one time, the frame is
+/// boosted to the mean flow and everything is predicted anew. Within an epoch a disk's state changes only at contacts,
+/// and contact times are a function of states, so a trajectory - and its trace_hash() - is a function of (scene, start)
+/// alone: not of the queue, the cells, the compiler, or where a run was stopped and resumed.
+template <class Queue = CalendarQueue, class Physics = GranularPhysics>
+class Engine {
+ public:
+  /// Starts from a laboratory-frame state at time 0.
+  /// `disks_per_cell` decides about speed only; 0 chooses by density. Throws PhysicsError if disks overlap.
+  Engine(const Scene& scene, const State& start, double disks_per_cell = 0);
+
+  /// Goes on from a checkpoint of the same scene.
+  Engine(const Scene& scene, const EngineState& state, double disks_per_cell = 0);
+
+  /// Executes all contacts up to `time` (since the start of the run). Throws PhysicsError on an overlap that round-off
+  /// cannot explain, on inelastic collapse, and when time would run backwards.
+  template <class Observer = NoObserver>
+  void advance(double time, Observer&& observer = {});
+
+  [[nodiscard]] double time() const { return epoch_start() + now_; }
+  [[nodiscard]] double epoch_length() const { return epoch_length_; }
+  /// Laboratory frame, at time().
+  [[nodiscard]] State state() const;
+  /// For a resume to the same bits; only at the start of an epoch (time() a multiple of epoch_length()).
+  [[nodiscard]] EngineState checkpoint() const;
+  [[nodiscard]] TraceHash trace_hash() const { return trace_; }
+  [[nodiscard]] const EventCounts& counts() const { return counts_; }
+  /// Most that two disks ever overlapped at their contact, a length (round-off).
+  [[nodiscard]] double deepest_overlap() const { return std::max(0.0, deepest_); }
+
+  /// Length of an epoch: the power of two next below 32 mean free times and, under gravity, below 2 sqrt(W/g).
+  static double epoch_length(const Scene& scene);
+
+ private:
+  /// What is known of one disk besides its flight, which its cell holds.
+  struct alignas(64) Plan {
+    double contact = never;  ///< time of the next contact found by this disk
+    double exit = never;     ///< when it leaves its cell or meets the wall
+    double last_contact = -never;
+    Index partner = -1;                ///< of the next contact
+    std::uint32_t partner_events = 0;  ///< the partner's `events` when the contact was found
+    std::uint32_t events = 0;          ///< contacts so far: what was predicted at another number is stale
+    Index id = 0;                      ///< the disk's number in the scene
+    Place place;
+    Side side = Side::left;  ///< of the exit
+    bool wall = false;       ///< the exit is a wall
+  };
+
+  Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
+  [[nodiscard]] double frame_velocity_at(double t) const { return frame_velocity_ + gravity_ * t; }
+
+  template <class Observer>
+  void run_until(double until, Observer& observer);
+  template <class Observer>
+  void collide(Index i, Index j, double t, Observer& observer);
+  template <class Observer>
+  void bounce(Index i, double t, Observer& observer);
+  void cross(Index i);
+  void predict(Index i);
+  void look(Index i, Cells::Block block);
+  [[nodiscard]] Flight flown(const Flight& f, double t) const;
+  void next_epoch();
+  void begin_epoch(std::vector<Flight> flights);
+  void settle(const std::vector<Flight>& flights);
+  void watch_for_collapse(double t);
+  [[nodiscard]] Vec2 lab_position(const Flight& f, double t) const;
+  [[noreturn]] void fail_overlap(Index i, Index j) const;
+
+  Scene scene_;
+  Physics physics_;
+  bool channel_;
+  PositionGrid grid_;
+  double length_, lower_, upper_, gravity_, epoch_length_;
+  ContactTime contact_time_;
+  Cells cells_;
+  Queue queue_;
+  std::vector<Plan> plans_;
+  std::int64_t epoch_ = 0;
+  double now_ = 0;  // within the epoch
+  double frame_velocity_ = 0, frame_offset_ = 0;
+  double deepest_ = 0, watched_ = -1, events_per_time_;
+  std::uint64_t events_before_ = 0;
+  TraceHash trace_;
+  EventCounts counts_;
+};
+
+// ---- the loop: next - advance - resolve - observe - predict ----
+
+template <class Queue, class Physics>
+template <class Observer>
+void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
+  for (Index i = queue_.earliest(); i >= 0 && queue_.time(i) <= until; i = queue_.earliest()) {
+    Plan& mine = plan(i);
+    if (mine.exit < mine.contact) {
+      if (mine.wall)
+        bounce(i, mine.exit, observer);
+      else
+        cross(i);
+    } else if (plan(mine.partner).events == mine.partner_events) {
+      collide(i, mine.partner, mine.contact, observer);
+    } else {
+      ++counts_.stale;
+      predict(i);
+    }
+  }
+  now_ = until;
+}
+
+template <class Queue, class Physics>
+template <class Observer>
+void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& observer) {
+  Plan &mine = plan(i), &other = plan(j);
+  Flight a = flown(cells_.flight(mine.place.slot), t), b = flown(cells_.flight(other.place.slot), t);
+  const auto nearest = [](double r, double period) {
+    return 2 * r > period ? r - period : 2 * r < -period ? r + period : r;
+  };
+  const Vec2 r_12{nearest(b.x - a.x, length_), channel_ ? b.y - a.y : nearest(b.y - a.y, 1)};
+  const double quiet = t - std::max(mine.last_contact, other.last_contact);
+  const PairOutcome outcome = physics_.pair(r_12, {a.vx - b.vx, a.vy - b.vy}, quiet);
+  a.vx -= outcome.impulse.x, a.vy -= outcome.impulse.y;
+  b.vx += outcome.impulse.x, b.vy += outcome.impulse.y;
+  cells_.set(mine.place.slot, a);
+  cells_.set(other.place.slot, b);
+  ++mine.events, ++other.events;
+  mine.last_contact = other.last_contact = t;
+  trace_.add(epoch_, t, mine.id, other.id);
+  deepest_ = std::max(deepest_, square(scene_.diameter()) - dot(r_12, r_12));
+  if ((++counts_.pair_contacts & 0xffff) == 0) watch_for_collapse(t);
+  const double frame = frame_velocity_at(t);
+  observer.on_pair(PairContact{epoch_start() + t,
+                               mine.id,
+                               other.id,
+                               lab_position(a, t),
+                               r_12,
+                               {a.vx + frame, a.vy},
+                               {b.vx + frame, b.vy},
+                               outcome.impulse,
+                               outcome.energy_loss});
+  predict(i);
+  predict(j);
+}
+
+template <class Queue, class Physics>
+template <class Observer>
+void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
+  Plan& mine = plan(i);
+  Flight a = flown(cells_.flight(mine.place.slot), t);
+  const Wall wall = mine.side == Side::lower ? Wall::lower : Wall::upper;
+  a.y = wall == Wall::lower ? lower_ : upper_;
+  const double frame = frame_velocity_at(t);
+  const Vec2 before{a.vx + frame, a.vy};
+  const Vec2 after = physics_.wall(before, wall, t - mine.last_contact);
+  a.vx = after.x - frame, a.vy = after.y;
+  cells_.set(mine.place.slot, a);
+  ++mine.events;
+  mine.last_contact = t;
+  trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
+  ++counts_.wall_contacts;
+  observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
+  predict(i);
+}
+
+/// Moves the disk into the next cell and looks at the cells that came into reach - or, when the contact that it knew of
+/// has become stale, at all of them.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::cross(Index i) {
+  ++counts_.crossings;
+  Plan& mine = plan(i);
+  cells_.cross(mine.place, i, mine.side);
+  if (mine.partner >= 0 && plan(mine.partner).events != mine.partner_events) return predict(i);
+  look(i, Cells::ahead(mine.side));
+}
+
+// ---- prediction ----
+
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::predict(Index i) {
+  plan(i).contact = never;
+  plan(i).partner = -1;
+  look(i, Cells::Block::all);
+}
+
+/// Schedules the earliest of the contact known, the contacts with disks of the block of cells (equal times: the lower
+/// number first) and the exit from the cell.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::look(Index i, Cells::Block block) {
+  Plan& mine = plan(i);
+  const Flight flight = cells_.flight(mine.place.slot);
+  cells_.for_contacts(mine.place, flight, block, contact_time_, [&](Index j, ContactTime::Contact contact) {
+    if (contact.overlap) fail_overlap(i, j);
+    if (contact.time > mine.contact) return;
+    if (contact.time == mine.contact && mine.partner >= 0 && plan(mine.partner).id < plan(j).id) return;
+    mine.contact = contact.time;
+    mine.partner = j;
+  });
+  if (mine.partner >= 0) mine.partner_events = plan(mine.partner).events;
+  const auto exit = cells_.exit(mine.place, flight);
+  mine.exit = exit.time;
+  mine.side = exit.side;
+  mine.wall = exit.wall;
+  queue_.schedule(i, std::min(mine.exit, mine.contact));
+}
+
+/// Free flight to time t of the epoch; displacements are rounded to the grid, so that reflections commute with it.
+template <class Queue, class Physics>
+Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
+  const double lapse = t - f.time;
+  return {f.x + grid_.round(f.vx * lapse), f.y + grid_.round(f.vy * lapse), f.vx, f.vy, t};
+}
+
+// ---- epochs ----
+
+template <class Queue, class Physics>
+template <class Observer>
+void Engine<Queue, Physics>::advance(double time, Observer&& observer) {
+  while (time >= epoch_start() + epoch_length_) {
+    run_until(epoch_length_, observer);
+    next_epoch();
+  }
+  if (time > this->time()) run_until(time - epoch_start(), observer);
+}
+
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::next_epoch() {
+  std::vector<Flight> flights(plans_.size());
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    flights[k] = flown(cells_.flight(plans_[k].place.slot), epoch_length_);
+    flights[k].time = 0;
+    plans_[k].last_contact -= epoch_length_;
+  }
+  frame_offset_ += epoch_length_ * (frame_velocity_ + 0.5 * gravity_ * epoch_length_);
+  frame_offset_ -= length_ * std::floor(frame_offset_ / length_);
+  frame_velocity_ = frame_velocity_at(epoch_length_);
+  events_per_time_ = static_cast<double>(counts_.examined() - events_before_) / epoch_length_;
+  if (watched_ >= 0) watched_ -= epoch_length_;
+  ++epoch_;
+  begin_epoch(std::move(flights));
+}
+
+/// flights[k] belongs to plans_[k].
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::begin_epoch(std::vector<Flight> flights) {
+  now_ = 0;
+  events_before_ = counts_.examined();
+  if (gravity_ > 0) {
+    // Boost to the mean flow, less half of the coming fall. The mean is summed in fixed point: exact in any order.
+    const double unit = scene_.velocity_scale() * 0x1p-30;
+    std::int64_t sum = 0;
+    for (const Flight& f : flights) sum += static_cast<std::int64_t>(f.vx / unit);
+    const double mean = static_cast<double>(sum) / static_cast<double>(flights.size()) * unit;
+    const double boost = mean - 0.5 * gravity_ * epoch_length_;
+    for (Flight& f : flights) f.vx -= boost;
+    frame_velocity_ += boost;
+  }
+  settle(flights);
+  queue_.reset(plans_.size(), epoch_length_, events_per_time_);
+  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict(i);
+}
+
+/// Puts the disks into their cells, and what is known of neighbours beside each other in memory: disks are renumbered
+/// along the cells. Changes no trajectory, for they keep their ids.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
+  std::vector<std::size_t> first(cells_.size() + 1, 0);
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    plans_[k].place = cells_.locate(flights[k].x, flights[k].y);
+    ++first[cells_.number(plans_[k].place) + 1];
+  }
+  for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
+  cells_.clear();
+  std::vector<Plan> plans(plans_.size());
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    const std::size_t i = first[cells_.number(plans_[k].place)]++;
+    plans[i] = plans_[k];
+    cells_.insert(plans[i].place, static_cast<Index>(i), flights[k]);
+  }
+  plans_.swap(plans);
+}
+
+}  // namespace gpf
+
+#include "gpf/event/engine_setup.hpp"

@@ -1,0 +1,15 @@
+// Positions and velocities of all disks at one time.
+#pragma once
+
+#include <vector>
+
+#include "gpf/base/vec2.hpp"
+
+namespace gpf {
+
+/// Laboratory frame. position[i] and velocity[i] belong to disk i; x in [0, L), y in [0, W).
+struct State {
+  std::vector<Vec2> position, velocity;
+};
+
+}  // namespace gpf
