@@ -49,14 +49,16 @@ class Engine {
 
   [[nodiscard]] double time() const { return epoch_start() + now_; }
   [[nodiscard]] double epoch_length() const { return epoch_length_; }
+  [[nodiscard]] double epoch_end() const { return static_cast<double>(epoch_ + 1) * epoch_length_; }
+  [[nodiscard]] bool at_epoch_start() const { return now_ == 0; }
   /// Laboratory frame, at time().
   [[nodiscard]] State state() const;
-  /// For a resume to the same bits; only at the start of an epoch (time() a multiple of epoch_length()).
+  /// For a resume to the same bits; only at_epoch_start().
   [[nodiscard]] EngineState checkpoint() const;
   [[nodiscard]] TraceHash trace_hash() const { return trace_; }
   [[nodiscard]] const EventCounts& counts() const { return counts_; }
   /// Most that two disks ever overlapped at their contact, a length (round-off).
-  [[nodiscard]] double deepest_overlap() const { return std::max(0.0, deepest_); }
+  [[nodiscard]] double deepest_overlap() const { return std::max(0.0, deepest_) / (2 * scene_.diameter()); }
 
   /// Length of an epoch: the power of two next below 32 mean free times and, under gravity, below 2 sqrt(W/g).
   static double epoch_length(const Scene& scene);
@@ -219,7 +221,7 @@ void Engine<Queue, Physics>::look(Index i, Cells::Block block) {
   const Flight flight = cells_.flight(mine.place.slot);
   cells_.for_contacts(mine.place, flight, block, contact_time_, [&](Index j, ContactTime::Contact contact) {
     if (contact.overlap) fail_overlap(i, j);
-    if (contact.time > mine.contact) return;
+    if (contact.time > mine.contact || contact.time > plan(j).contact) return;  // the partner will collide before
     if (contact.time == mine.contact && mine.partner >= 0 && plan(mine.partner).id < plan(j).id) return;
     mine.contact = contact.time;
     mine.partner = j;
@@ -244,7 +246,7 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
 template <class Queue, class Physics>
 template <class Observer>
 void Engine<Queue, Physics>::advance(double time, Observer&& observer) {
-  while (time >= epoch_start() + epoch_length_) {
+  while (time >= epoch_end()) {
     run_until(epoch_length_, observer);
     next_epoch();
   }

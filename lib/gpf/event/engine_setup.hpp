@@ -101,7 +101,7 @@ template <class Queue, class Physics>
 EngineState Engine<Queue, Physics>::checkpoint() const {
   if (now_ != 0)
     throw InputError("a checkpoint was asked for within an epoch", "disks are at different times there",
-                     "advance to a multiple of epoch_length() first");
+                     "advance to epoch_end() first");
   EngineState state{epoch_, frame_velocity_, frame_offset_, {}, {}, {}, {}, {}, trace_.value(), counts_};
   for (auto* values : {&state.x, &state.y, &state.vx, &state.vy, &state.last_contact}) values->resize(plans_.size());
   for (const Plan& plan : plans_) {

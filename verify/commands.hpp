@@ -1,0 +1,15 @@
+// The sub-commands of gpf. Each registers itself; when it runs it leaves the program's exit status in `status`.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace gpf {
+
+void add_run_command(CLI::App& app, int& status);
+void add_validate_command(CLI::App& app, int& status);
+void add_explain_command(CLI::App& app, int& status);
+void add_report_command(CLI::App& app, int& status);
+
+}  // namespace gpf

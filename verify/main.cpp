@@ -1,0 +1,44 @@
+// gpf: granular Poiseuille flow, simulated event by event and judged against reference data.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "gpf/base/error.hpp"
+#include "gpf/io/provenance.hpp"
+#include "verify/commands.hpp"
+
+int main(int argc, char** argv) {
+  int status = 0;
+  CLI::App app{
+      "gpf simulates granular Poiseuille flow - inelastic hard disks driven by gravity through a channel - event by "
+      "event,\n"
+      "and checks every claim about it against reference data.\n"};
+  app.set_version_flag("--version",
+                       "gpf " + gpf::build_provenance().version + " (" + gpf::build_provenance().commit + ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 success or all green; 1 a claim is red; 2 bad input; 3 the engine refused to go on (overlap, "
+      "inelastic\n"
+      "collapse); 4 a file could not be read or written; 75 stopped by a signal, --resume goes on; 77 a claim needs "
+      "more data.\n\n"
+      "Examples:\n"
+      "  gpf run reference/scenes/channel-smooth-nu30.toml -o nu30.h5 --json\n"
+      "  gpf validate --tier quick\n"
+      "  gpf explain eos.global\n");
+  gpf::add_run_command(app, status);
+  gpf::add_validate_command(app, status);
+  gpf::add_explain_command(app, status);
+  gpf::add_report_command(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(gpf::ExitStatus::bad_input);
+  } catch (const gpf::Error& error) {
+    std::fprintf(stderr, "gpf: %s\n", error.what());
+    return static_cast<int>(error.status());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gpf: %s (this should not happen): report it with the command that led here\n", error.what());
+    return static_cast<int>(gpf::ExitStatus::physics);
+  }
+  return status;
+}

@@ -1,0 +1,154 @@
+// gpf run: one scene to one record.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gpf/base/error.hpp"
+#include "gpf/base/hash.hpp"
+#include "gpf/io/record.hpp"
+#include "gpf/scene/scene_file.hpp"
+#include "verify/commands.hpp"
+#include "verify/run_json.hpp"
+#include "verify/simulate.hpp"
+
+namespace gpf {
+
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+extern "C" void request_stop(int) { stop_requested = 1; }
+
+/// One process per record: an advisory lock on a file beside it, gone when the process is.
+class OutputLock {
+ public:
+  explicit OutputLock(const std::filesystem::path& output) : path_(output.string() + ".lock") {
+    descriptor_ = ::open(path_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    if (descriptor_ < 0)
+      throw StorageError(fmt::format("cannot create '{}'", path_.string()), std::strerror(errno),
+                         "choose an output in a folder that exists and can be written");
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      ::close(descriptor_);
+      throw StorageError(fmt::format("another process is writing '{}'", output.string()), "its lock is held",
+                         "wait for it, or choose another output");
+    }
+  }
+  ~OutputLock() {
+    ::unlink(path_.c_str());
+    ::close(descriptor_);
+  }
+  OutputLock(const OutputLock&) = delete;
+  OutputLock& operator=(const OutputLock&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_;
+};
+
+struct RunOptions {
+  std::string scene, output;
+  bool json = false, resume = false, force = false;
+  double checkpoint_period = 60;
+};
+
+std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "-";
+  const auto s = static_cast<long>(seconds + 0.5);
+  return s < 60     ? fmt::format("{} s", s)
+         : s < 3600 ? fmt::format("{} min {:02} s", s / 60, s % 60)
+                    : fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+}
+
+void show_progress(const Progress& p) {
+  fmt::print(stderr, "\r\033[K{:5.1f} %  time {:.4g}  {:.3g} collisions, {:.3g}/s  {} left", 100 * p.fraction, p.time,
+             static_cast<double>(p.collisions), p.collisions_per_second, duration_text(p.seconds_left));
+  std::fflush(stderr);
+}
+
+void summarise(const Record& record, const std::string& output) {
+  fmt::print("{}: {} collisions to time {:.6g} in {:.3g} s ({:.3g}/s), trace hash {}\n", output,
+             record.counts.pair_contacts, record.time, record.wall_seconds,
+             static_cast<double>(record.counts.pair_contacts) / record.wall_seconds, hexadecimal(record.trace_hash));
+}
+
+int run(const RunOptions& options, std::vector<std::string> command) {
+  const SceneFile file = load_scene(options.scene);
+  const std::filesystem::path output = options.output, checkpoint = options.output + ".checkpoint";
+  const OutputLock lock(output);
+  const auto finish = [&](const Record& record) {
+    if (options.json)
+      fmt::print("{}\n", run_json(record));
+    else
+      summarise(record, options.output);
+    return static_cast<int>(ExitStatus::success);
+  };
+  if (std::filesystem::exists(output) && !options.force) {
+    if (!options.resume)
+      throw InputError(fmt::format("'{}' exists", options.output), "a record is never overwritten unasked",
+                       "choose another output, or --force to replace it");
+    const Record record = read_record(output);
+    if (canonical_text(record.scene, record.run) != canonical_text(file.scene, file.run))
+      throw InputError(fmt::format("'{}' is the finished record of another scene", options.output),
+                       "--resume goes on with the same scene, seed and run only", "choose another output");
+    return finish(record);
+  }
+  if (std::filesystem::exists(checkpoint) && !options.resume && !options.force)
+    throw InputError(fmt::format("'{}' exists", checkpoint.string()), "an earlier run was stopped on its way",
+                     "--resume to go on with it, or --force to begin anew");
+
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, request_stop);
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  SimulationOptions simulation;
+  simulation.checkpoint = checkpoint;
+  simulation.checkpoint_period = options.checkpoint_period;
+  simulation.resume = options.resume;
+  simulation.stop = &stop_requested;
+  if (terminal) simulation.progress = show_progress;
+  simulation.command = std::move(command);
+  const std::optional<Record> record = simulate(file, simulation);
+  if (terminal) fmt::print(stderr, "\r\033[K");
+  if (!record) {
+    fmt::print(stderr, "gpf: stopped by a signal; '{}' holds the run: the same command with --resume goes on\n",
+               checkpoint.string());
+    return static_cast<int>(ExitStatus::interrupted);
+  }
+  write_record(*record, output);
+  std::filesystem::remove(checkpoint);
+  return finish(*record);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* run_app = app.add_subcommand("run", "Simulate a scene and write its record");
+  run_app->add_option("scene", options->scene, "Scene file (TOML)")->required();
+  run_app->add_option("-o,--output", options->output, "Record to write (HDF5)")->required();
+  run_app->add_flag("--json", options->json, "Print one JSON object with every measured quantity to stdout");
+  run_app->add_flag("--resume", options->resume, "Go on from the checkpoint of an earlier, interrupted run");
+  run_app->add_flag("--force", options->force, "Replace an existing record or checkpoint");
+  run_app->add_option("--checkpoint-period", options->checkpoint_period, "Seconds between checkpoints")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  run_app->footer("Keys of a scene file:\n" + scene_key_help() +
+                  "\nExample:\n"
+                  "  gpf run reference/scenes/channel-smooth-nu30.toml -o nu30.h5\n"
+                  "Stopped by SIGTERM, SIGINT or SIGUSR1 it writes OUTPUT.checkpoint and exits with 75;\n"
+                  "the same command with --resume then reaches the same bits as an undisturbed run.\n");
+  run_app->callback([options, &status, &app] {
+    static_cast<void>(app);
+    status = run(*options, {"gpf", "run", options->scene, "-o", options->output});
+  });
+}
+
+}  // namespace gpf
