@@ -93,7 +93,8 @@ class Engine {
   void look(Index i, Cells::Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
   void next_epoch();
-  void begin_epoch(std::vector<Flight> flights);
+  void boost(std::vector<Flight>& flights);
+  void begin_epoch(const std::vector<Flight>& flights);
   void settle(const std::vector<Flight>& flights);
   void watch_for_collapse(double t);
   [[nodiscard]] Vec2 lab_position(const Flight& f, double t) const;
@@ -267,24 +268,29 @@ void Engine<Queue, Physics>::next_epoch() {
   events_per_time_ = static_cast<double>(counts_.examined() - events_before_) / epoch_length_;
   if (watched_ >= 0) watched_ -= epoch_length_;
   ++epoch_;
-  begin_epoch(std::move(flights));
+  boost(flights);
+  begin_epoch(flights);
+}
+
+/// Takes the frame to the mean flow, less half of the coming fall, so that disks cross few cells. The mean is summed in
+/// fixed point: exact in any order.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::boost(std::vector<Flight>& flights) {
+  if (gravity_ == 0) return;
+  const double unit = scene_.velocity_scale() * 0x1p-30;
+  std::int64_t sum = 0;
+  for (const Flight& f : flights) sum += static_cast<std::int64_t>(f.vx / unit);
+  const double mean = static_cast<double>(sum) / static_cast<double>(flights.size()) * unit;
+  const double step = mean - 0.5 * gravity_ * epoch_length_;
+  for (Flight& f : flights) f.vx -= step;
+  frame_velocity_ += step;
 }
 
 /// flights[k] belongs to plans_[k].
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::begin_epoch(std::vector<Flight> flights) {
+void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   now_ = 0;
   events_before_ = counts_.examined();
-  if (gravity_ > 0) {
-    // Boost to the mean flow, less half of the coming fall. The mean is summed in fixed point: exact in any order.
-    const double unit = scene_.velocity_scale() * 0x1p-30;
-    std::int64_t sum = 0;
-    for (const Flight& f : flights) sum += static_cast<std::int64_t>(f.vx / unit);
-    const double mean = static_cast<double>(sum) / static_cast<double>(flights.size()) * unit;
-    const double boost = mean - 0.5 * gravity_ * epoch_length_;
-    for (Flight& f : flights) f.vx -= boost;
-    frame_velocity_ += boost;
-  }
   settle(flights);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
   for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict(i);

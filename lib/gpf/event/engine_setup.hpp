@@ -56,7 +56,7 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
     plans_[i].last_contact = state.last_contact[i];
     plans_[i].id = static_cast<Index>(i);
   }
-  begin_epoch(std::move(flights));
+  begin_epoch(flights);
 }
 
 namespace detail {

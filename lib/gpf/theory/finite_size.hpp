@@ -7,8 +7,8 @@
 
 namespace gpf {
 
-/// Largest nu at which the density-fluctuation term is used. Against Li et al. (2022), N = 870: it leaves 1e-5 of Z up
-/// to nu = .674, 2e-4 at .684; beyond .687 it overshoots by more than it mends.
+/// Largest nu at which the density-fluctuation term is used. Against Li et al. (2022), N = 870: it leaves 2e-5 of Z up
+/// to nu = .674, 2e-4 at .684; from .688 on it overshoots by as much as it mends, and more.
 inline constexpr double finite_size_limit = 0.685;
 
 /// Z_N - Z of N disks at fixed N in a periodic box, to order 1/N: -(nu/2N) d ln(Z + nu Z')/dnu, from the Z of the
