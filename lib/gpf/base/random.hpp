@@ -15,7 +15,7 @@ std::array<std::uint32_t, 4> random_words(std::uint64_t key, std::uint64_t strea
 std::uint64_t replica_seed(std::uint64_t scene_hash, std::uint64_t replica);
 
 /// Natural logarithm from + - * / only, for x > 0 and finite; the same bits on every machine,
-/// within 2e-16 relative of the true value away from x = 1.
+/// within 3.4e-16 relative of the true value (largest seen 3.3e-16, near x = 0.776).
 double portable_log(double x);
 
 /// Two independent standard normal numbers for (key, index), by Marsaglia's polar method with portable_log.

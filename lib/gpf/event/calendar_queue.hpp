@@ -45,14 +45,17 @@ class CalendarQueue {
     ++scheduled_;
   }
 
-  /// The disk with the earliest time, -1 when nothing is scheduled. Equal times: any of them.
-  [[nodiscard]] Index earliest() {
+  /// The disk with the earliest time, -1 when nothing is scheduled. Of equal times the disk that comes first:
+  /// first(a, b) says whether a comes before b.
+  template <class First>
+  [[nodiscard]] Index earliest(First&& first) {
     if (scheduled_ == 0) return -1;
     for (;; ++today_) {
       Index best = -1;
       double best_time = never;
       for (Index i = front_[static_cast<std::size_t>(today_ & mask_)]; i >= 0; i = at(i).next)
-        if (at(i).day == today_ && at(i).time < best_time) {
+        if (at(i).day == today_ &&
+            (at(i).time < best_time || (at(i).time == best_time && best >= 0 && first(i, best)))) {
           best = i;
           best_time = at(i).time;
         }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,7 +61,8 @@ class Engine {
   /// Most that two disks ever overlapped at their contact, a length (round-off).
   [[nodiscard]] double deepest_overlap() const { return std::max(0.0, deepest_) / (2 * scene_.diameter()); }
 
-  /// Length of an epoch: the power of two next below 32 mean free times and, under gravity, below 2 sqrt(W/g).
+  /// Length of an epoch: the power of two next below 32 mean free times and below 2 W/velocity_scale(). Times within it
+  /// are then so fine that a thermal disk moves less than 2^-52 W in the last bit of one.
   static double epoch_length(const Scene& scene);
 
  private:
@@ -89,6 +91,8 @@ class Engine {
   template <class Observer>
   void bounce(Index i, double t, Observer& observer);
   void cross(Index i);
+  void anchor(Index i);
+  [[nodiscard]] std::uint64_t rank(Index i) const;
   void predict(Index i);
   void look(Index i, Cells::Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
@@ -98,7 +102,9 @@ class Engine {
   void settle(const std::vector<Flight>& flights);
   void watch_for_collapse(double t);
   [[nodiscard]] Vec2 lab_position(const Flight& f, double t) const;
+  [[nodiscard]] std::string describe(Index i) const;
   [[noreturn]] void fail_overlap(Index i, Index j) const;
+  [[noreturn]] void fail_backwards(Index i) const;
 
   Scene scene_;
   Physics physics_;
@@ -123,7 +129,10 @@ class Engine {
 template <class Queue, class Physics>
 template <class Observer>
 void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
-  for (Index i = queue_.earliest(); i >= 0 && queue_.time(i) <= until; i = queue_.earliest()) {
+  const auto first = [this](Index a, Index b) { return rank(a) < rank(b); };
+  for (Index i = queue_.earliest(first); i >= 0 && queue_.time(i) <= until; i = queue_.earliest(first)) {
+    if (queue_.time(i) < now_) fail_backwards(i);
+    now_ = queue_.time(i);
     Plan& mine = plan(i);
     if (mine.exit < mine.contact) {
       if (mine.wall)
@@ -138,6 +147,18 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
     }
   }
   now_ = until;
+}
+
+/// Of events at equal times the lowest rank comes first: disks that look again, then pairs by their lower and their
+/// higher number, then walls. It knows contacts only, so that a tie cannot let the queue or the cells decide.
+template <class Queue, class Physics>
+std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
+  const Plan& mine = plans_[static_cast<std::size_t>(i)];
+  if (mine.exit < mine.contact) return mine.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
+  const Plan& other = plans_[static_cast<std::size_t>(mine.partner)];
+  if (other.events != mine.partner_events) return 0;
+  const auto [low, high] = std::minmax(mine.id, other.id);
+  return (static_cast<std::uint64_t>(low) << 32) + static_cast<std::uint64_t>(high);
 }
 
 template <class Queue, class Physics>
@@ -200,9 +221,22 @@ template <class Queue, class Physics>
 void Engine<Queue, Physics>::cross(Index i) {
   ++counts_.crossings;
   Plan& mine = plan(i);
-  cells_.cross(mine.place, i, mine.side);
+  if (cells_.cross(mine.place, i, mine.side)) return anchor(i);
   if (mine.partner >= 0 && plan(mine.partner).events != mine.partner_events) return predict(i);
   look(i, Cells::ahead(mine.side));
+}
+
+/// A disk that has gone round twice without a contact: its flight begins anew where it entered the box, because
+/// coordinates much further out would not be exact. What was predicted for it is stale.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::anchor(Index i) {
+  Plan& mine = plan(i);
+  const Flight f = cells_.flight(mine.place.slot);
+  const double x = mine.side == Side::left ? length_ : 0, y = mine.side == Side::lower ? 1 : 0;
+  const bool sideways = mine.side == Side::left || mine.side == Side::right;
+  cells_.set(mine.place.slot, flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy)));
+  ++mine.events;
+  predict(i);
 }
 
 // ---- prediction ----

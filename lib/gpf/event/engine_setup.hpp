@@ -4,20 +4,16 @@
 #include <fmt/format.h>
 
 #include "gpf/event/engine.hpp"
+#include "gpf/event/state_check.hpp"
 
 namespace gpf {
 
 template <class Queue, class Physics>
 double Engine<Queue, Physics>::epoch_length(const Scene& scene) {
-  double length = 32 / scene.reference_collision_rate();
-  if (scene.gravity > 0) length = std::min(length, 2 / scene.velocity_scale());
-  return std::ldexp(1.0, std::ilogb(length));
+  return std::ldexp(1.0, std::ilogb(std::min(32 / scene.reference_collision_rate(), 2 / scene.velocity_scale())));
 }
 
 namespace detail {
-
-/// Overlap that round-off can explain, a length: 2^-46 of the longest side, a few hundred ulp of a coordinate.
-inline double deepest_round_off(const Scene& scene) { return std::max(scene.length(), 1.0) * 0x1p-46; }
 
 /// Measured optimum on N = 10^3 ... 10^6 (tests/performance): large cells when dilute, small ones when dense.
 inline double best_disks_per_cell(double area_fraction) { return std::clamp(0.9 / std::sqrt(area_fraction), 1.0, 4.0); }
@@ -44,11 +40,9 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
       events_per_time_(2 * scene.particles * scene.reference_collision_rate()),
       trace_(state.trace_hash),
       counts_(state.counts) {
+  detail::require_inside(scene, state);
+  detail::require_apart(scene, state);
   const auto count = static_cast<std::size_t>(scene.particles);
-  for (const auto* values : {&state.x, &state.y, &state.vx, &state.vy, &state.last_contact})
-    if (values->size() != count)
-      throw InputError(fmt::format("the state has {} disks, the scene {}", values->size(), count),
-                       "they belong to different scenes", "start from a state of this scene");
   plans_.resize(count);
   std::vector<Flight> flights(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -83,14 +77,18 @@ Vec2 Engine<Queue, Physics>::lab_position(const Flight& f, double t) const {
 
 template <class Queue, class Physics>
 State Engine<Queue, Physics>::state() const {
+  const auto inside = [](double a, double period) {
+    const double folded = a - period * std::floor(a / period);
+    return folded < period ? folded : 0;  // a hair below zero would fold to the period itself
+  };
   State state;
   state.position.resize(plans_.size());
   state.velocity.resize(plans_.size());
   for (const Plan& plan : plans_) {
     const Flight f = cells_.flight(plan.place.slot);
     Vec2 r = lab_position(f, now_);
-    r.x -= length_ * std::floor(r.x / length_);
-    if (!channel_) r.y -= std::floor(r.y);
+    r.x = inside(r.x, length_);
+    if (!channel_) r.y = inside(r.y, 1);
     state.position[static_cast<std::size_t>(plan.id)] = r;
     state.velocity[static_cast<std::size_t>(plan.id)] = {f.vx + frame_velocity_at(now_), f.vy};
   }
@@ -127,13 +125,22 @@ void Engine<Queue, Physics>::watch_for_collapse(double t) {
 }
 
 template <class Queue, class Physics>
+std::string Engine<Queue, Physics>::describe(Index i) const {
+  const Plan& plan = plans_[static_cast<std::size_t>(i)];
+  const Flight f = cells_.flight(plan.place.slot);
+  return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", plan.id, f.x, f.y,
+                     f.vx, f.vy, f.time, plan.place.column, plan.place.row);
+}
+
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::fail_backwards(Index i) const {
+  throw PhysicsError(fmt::format("time runs backwards, from {:.17g} to {:.17g} in epoch {} ({})", now_, queue_.time(i),
+                                 epoch_, describe(i)),
+                     "an event was found too late", "this is a bug: report it with the scene and this message");
+}
+
+template <class Queue, class Physics>
 void Engine<Queue, Physics>::fail_overlap(Index i, Index j) const {
-  const auto describe = [&](Index k) {
-    const Plan& plan = plans_[static_cast<std::size_t>(k)];
-    const Flight f = cells_.flight(plan.place.slot);
-    return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", plan.id, f.x,
-                       f.y, f.vx, f.vy, f.time, plan.place.column, plan.place.row);
-  };
   throw PhysicsError(fmt::format("two disks overlap beyond round-off and approach, epoch {} ({}; {})", epoch_,
                                  describe(i), describe(j)),
                      "a contact was missed or the start state overlaps",

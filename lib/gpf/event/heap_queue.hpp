@@ -28,14 +28,30 @@ class HeapQueue {
     sink(slot(place_[slot(i)]));
   }
 
-  /// The disk with the earliest time, -1 when nothing is scheduled.
-  [[nodiscard]] Index earliest() { return heap_.empty() || time(heap_[0]) == never ? -1 : heap_[0]; }
+  /// The disk with the earliest time, -1 when nothing is scheduled. Of equal times the disk that comes first:
+  /// first(a, b) says whether a comes before b.
+  template <class First>
+  [[nodiscard]] Index earliest(First&& first) const {
+    if (heap_.empty() || time(heap_[0]) == never) return -1;
+    return first_of_ties(0, heap_[0], first);
+  }
 
   [[nodiscard]] double time(Index i) const { return time_[slot(i)]; }
 
  private:
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] bool before(std::size_t a, std::size_t b) const { return time(heap_[a]) < time(heap_[b]); }
+
+  /// The first of `best` and the disks below place k that share its time: equal times hang together at the top.
+  template <class First>
+  [[nodiscard]] Index first_of_ties(std::size_t k, Index best, First&& first) const {
+    for (const std::size_t child : {2 * k + 1, 2 * k + 2}) {
+      if (child >= heap_.size() || time(heap_[child]) != time(heap_[0])) continue;
+      if (first(heap_[child], best)) best = heap_[child];
+      best = first_of_ties(child, best, first);
+    }
+    return best;
+  }
 
   void exchange(std::size_t a, std::size_t b) {
     std::swap(heap_[a], heap_[b]);

@@ -1,0 +1,5 @@
+set(layers base scene event methods)
+set(may_include_base base scene)
+set(may_include_scene scene base)
+set(may_include_event event scene base)
+set(may_include_methods methods event scene base)

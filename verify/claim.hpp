@@ -1,0 +1,64 @@
+// A claim of the source as data: what is said, where, how it is tested and how far off it may be.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gpf {
+
+enum class Tier { quick, standard, full };
+enum class Kind { value, band, profile, exponent, sign, order, zero_crossing, classification, same, shape };
+enum class Expectation { reproduced, refuted, unresolved };
+
+/// One reason why a measured number may differ from its reference although the claim holds.
+struct ToleranceTerm {
+  std::string name;      ///< for example "finite N"
+  double value;          ///< half width that it adds to the band (relative or absolute: the claim's `tolerance_unit`)
+  std::string evidence;  ///< where the number comes from
+};
+
+/// A claim file, reference/claims/<id>.toml. Scenes are names in reference/scenes/ without ".toml".
+struct Claim {
+  std::string id;  ///< never changes once released
+  std::string title;
+  int chapter = 0;
+  std::string source;     ///< figure, section or equation of the thesis, or other reference
+  std::string statement;  ///< the claim as a relation
+  std::string method;     ///< how it is tested: estimator, equation, which definition
+  Kind kind = Kind::value;
+  Expectation expected = Expectation::reproduced;
+  std::string expected_because;  ///< required unless reproduced: the evidence
+  std::string estimator;         ///< name of the function that makes checks of records
+  std::map<Tier, std::vector<std::string>>
+      scenes;                    ///< runs that the claim reads, by tier; a tier falls back on the one below
+  std::map<Tier, int> replicas;  ///< most replicas that the judge may ask for, by tier
+  std::vector<ToleranceTerm> tolerance;
+  std::string tolerance_unit;  ///< "relative", "absolute", ...: what the terms are measured in
+  std::map<std::string, double, std::less<>> parameters;  ///< further numbers of the estimator
+  std::vector<std::string> catches;                       ///< faults that the claim is there to catch
+  std::string reproduce;                                  ///< the one command that reproduces it (generated)
+
+  /// Sum of the terms.
+  [[nodiscard]] double tolerance_total() const;
+  /// Throws InputError when the claim file has no such parameter.
+  [[nodiscard]] double parameter(std::string_view name) const;
+};
+
+/// Strict: unknown keys, missing evidence and duplicate ids are errors with file and line. Throws InputError,
+/// StorageError.
+Claim load_claim(const std::filesystem::path& path);
+/// All claims of a folder, by id.
+std::vector<Claim> load_claims(const std::filesystem::path& folder);
+
+std::string_view name_of(Tier tier);
+std::string_view name_of(Kind kind);
+std::string_view name_of(Expectation expectation);
+Tier tier_named(std::string_view name);  ///< Throws InputError that lists the tiers.
+Kind kind_named(std::string_view name);                ///< Throws InputError that lists the kinds.
+Expectation expectation_named(std::string_view name);  ///< Throws InputError that lists them.
+
+}  // namespace gpf

@@ -1,0 +1,51 @@
+// What an estimator makes of records: numbers, each with the band in which the claim wants it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpf/io/plot.hpp"
+#include "gpf/io/record.hpp"
+#include "gpf/stats/interval.hpp"
+#include "verify/claim.hpp"
+
+namespace gpf {
+
+/// One inequality of a claim. Pass when the confidence interval of the mean of `values` lies inside `band`, fail when
+/// it is disjoint from it. An open side is infinite: sign and order claims have one-sided bands, `same` claims bands of
+/// +-margin about zero for a difference.
+struct Check {
+  std::string label;           ///< for example "Z at nu 0.30" or "bin 4, kurtosis of u_x"
+  std::vector<double> values;  ///< one per replica, independent
+  Interval band;
+  bool exact = false;    ///< an identity: every value must lie in the band, no statistics
+  double x = 0;          ///< abscissa (bin centre, nu, ...) where the checks form a profile
+  double reference = 0;  ///< centre of the band where it has one, else NaN
+};
+
+/// A precondition of trust, judged apart from the claim: when one fails the claim is inconclusive.
+struct HealthCheck {
+  std::string name;  ///< for example "stationary: first half against second, scene channel-nu30"
+  bool passed;
+  std::string detail;
+};
+
+struct Evidence {
+  std::vector<Check> checks;
+  std::vector<HealthCheck> health;  ///< the estimator's own; the judge adds those that hold for every record
+  Plot plot;                        ///< the picture for the claim's page
+  std::vector<std::string> notes;   ///< sentences for the page: definitions, both readings, what else was seen
+  double extra_cpu_seconds = 0;     ///< spent in the estimator itself (oracle runs)
+};
+
+/// Records of a scene, one per replica, in order of replica number.
+using SceneRecords = std::map<std::string, std::vector<Record>, std::less<>>;
+
+/// Turns records into evidence. Must not depend on anything but its arguments.
+using Estimator = Evidence (*)(const Claim& claim, Tier tier, const SceneRecords& records);
+
+/// The estimator of that name. Throws InputError that lists the known ones.
+Estimator estimator_named(std::string_view name);
+
+}  // namespace gpf

@@ -1,0 +1,14 @@
+// A claim in words, for somebody who wants to know what is tested and why it may be off by so much.
+#pragma once
+
+#include <string>
+
+#include "verify/claim.hpp"
+
+namespace gpf {
+
+/// Plain text: source, statement, method, expectation with its reason, the tolerance budget as a table with its sum,
+/// scenes and replicas by tier, parameters, the faults that it catches, the command that reproduces it.
+std::string explain(const Claim& claim);
+
+}  // namespace gpf

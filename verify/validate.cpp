@@ -1,0 +1,194 @@
+#include "verify/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "gpf/base/error.hpp"
+#include "gpf/base/hash.hpp"
+#include "gpf/io/atomic_file.hpp"
+#include "gpf/io/provenance.hpp"
+#include "gpf/scene/nearest_word.hpp"
+#include "verify/validate_output.hpp"
+#include "verify/verdict_file.hpp"
+
+namespace gpf {
+namespace {
+
+/// Stopped by a signal: whatever was finished is in the store.
+struct Stopped {};
+
+std::vector<Claim> chosen_claims(const ValidateOptions& options) {
+  std::vector<Claim> all = load_claims(options.reference / "claims"), chosen;
+  for (const std::string& id : options.claims) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Claim& c) { return c.id == id; });
+    if (found == all.end()) {
+      std::vector<std::string_view> ids;
+      for (const Claim& c : all) ids.push_back(c.id);
+      throw InputError(fmt::format("unknown claim '{}'", id), fmt::format("there are {}", fmt::join(ids, ", ")),
+                       fmt::format("did you mean '{}'?", nearest_word(id, ids)));
+    }
+    if (!found->judged_in(options.tier))
+      throw InputError(fmt::format("claim '{}' is not part of tier {}", id, name_of(options.tier)),
+                       "it has no scenes there", "choose a higher --tier");
+    chosen.push_back(*found);
+  }
+  if (!options.claims.empty()) return chosen;
+  std::erase_if(all, [&](const Claim& c) { return !c.judged_in(options.tier); });
+  return all;
+}
+
+class Validation {
+ public:
+  explicit Validation(const ValidateOptions& options)
+      : options_(options),
+        store_(options.store, [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }),
+        scenes_(options.reference / "scenes"),
+        pool_{options.jobs, options.checkpoint_period, options.stop, options.run, options.command} {}
+
+  /// The first look's records of the scenes that options.only_runs names.
+  void run_only(const std::vector<Claim>& claims, std::uint64_t seed) {
+    Demand demand, wanted;
+    for (const Claim& claim : claims) add_demand(demand, claim, options_.tier, looks_of(claim).front());
+    for (const std::string& scene : options_.only_runs) {
+      const auto found = demand.find(scene);
+      if (found == demand.end())
+        throw InputError(fmt::format("no claim of tier {} reads scene '{}'", name_of(options_.tier), scene),
+                         "only runs that a claim reads are made", "see reference/claims/ for the scenes");
+      wanted.insert(*found);
+    }
+    make_runs(wanted, seed);
+  }
+
+  /// Looks at every claim until it is decided or its cap is reached.
+  void judge_all(std::vector<Claim> open, std::uint64_t seed, const std::map<std::string, std::string>& notes) {
+    for (const Claim& claim : open) std::filesystem::remove(verdict_path(options_.store, options_.tier, claim.id));
+    for (int look = 1; !open.empty(); ++look) {
+      Demand demand;
+      for (const Claim& claim : open)
+        add_demand(demand, claim, options_.tier, looks_of(claim)[static_cast<std::size_t>(look - 1)]);
+      make_runs(demand, seed);
+      std::erase_if(open, [&](const Claim& claim) { return judge_one(claim, look, seed, notes); });
+    }
+  }
+
+  [[nodiscard]] std::vector<Verdict> verdicts() const {
+    std::vector<Verdict> result;
+    for (const auto& [id, verdict] : verdicts_) result.push_back(verdict);
+    return result;
+  }
+  [[nodiscard]] const std::vector<ValidateProblem>& problems() const { return problems_; }
+
+ private:
+  [[nodiscard]] std::vector<int> looks_of(const Claim& claim) const {
+    return looks_up_to(claim.replicas_in(options_.tier));
+  }
+
+  void make_runs(const Demand& demand, std::uint64_t seed) {
+    const std::vector<RunJob> jobs = missing_runs(demand, scenes_, store_, seed);
+    if (jobs.empty()) return;
+    fmt::print(stderr, "{} run(s) missing, {} at a time\n", jobs.size(), options_.jobs);
+    const PoolResult result = run_pool(store_, jobs, pool_);
+    for (const RunFailure& failure : result.failures)
+      problems_.push_back({fmt::format("run {}", failure.label), failure.what, failure.status});
+    if (result.stopped) throw Stopped{};
+  }
+
+  /// True when the claim needs no further look.
+  bool judge_one(const Claim& claim, int look, std::uint64_t seed, const std::map<std::string, std::string>& notes) {
+    if (options_.stop != nullptr && *options_.stop != 0) throw Stopped{};
+    try {
+      Verdict verdict = review(claim, options_.tier, look, scenes_, store_, seed, options_.estimators);
+      const bool last = static_cast<std::size_t>(look) == looks_of(claim).size();
+      if (verdict.outcome == Outcome::inconclusive && !last) return false;
+      verdict.program_hash = program_;
+      if (const auto note = notes.find(claim.id); note != notes.end()) verdict.notes.push_back(note->second);
+      write_verdict(verdict, options_.store);
+      verdicts_.insert_or_assign(claim.id, std::move(verdict));
+    } catch (const Error& error) {
+      problems_.push_back({fmt::format("claim {}", claim.id), error.what(), error.status()});
+      verdicts_.erase(claim.id);
+    }
+    return true;
+  }
+
+  const ValidateOptions& options_;
+  RecordStore store_;
+  SceneLibrary scenes_;
+  PoolOptions pool_;
+  std::uint64_t program_ = program_hash();
+  std::map<std::string, Verdict> verdicts_;
+  std::vector<ValidateProblem> problems_;
+};
+
+/// Claims that failed although they should not, once more with new seeds.
+void confirm(Validation& validation, const std::vector<Claim>& claims, std::uint64_t seed) {
+  std::vector<Claim> again;
+  std::map<std::string, std::string> notes;
+  for (const Verdict& verdict : validation.verdicts()) {
+    if (verdict.outcome != Outcome::fail || verdict.green) continue;
+    again.push_back(*std::find_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == verdict.claim_id; }));
+    notes[verdict.claim_id] =
+        fmt::format("Confirmation run with new seeds; with release seed {} it failed: {}.", seed, verdict.summary);
+  }
+  if (again.empty()) return;
+  fmt::print(stderr, "{} claim(s) failed: one confirmation run with new seeds\n", again.size());
+  validation.judge_all(again, mix(seed), notes);
+}
+
+int exit_status(const std::vector<Verdict>& verdicts, const std::vector<ValidateProblem>& problems) {
+  if (!problems.empty()) return static_cast<int>(problems.front().status);
+  const auto any = [&](auto condition) { return std::any_of(verdicts.begin(), verdicts.end(), condition); };
+  if (any([](const Verdict& v) { return !v.green && v.outcome != Outcome::inconclusive; }))
+    return static_cast<int>(ExitStatus::red);
+  if (any([](const Verdict& v) { return !v.green; })) return static_cast<int>(ExitStatus::inconclusive);
+  return static_cast<int>(ExitStatus::success);
+}
+
+}  // namespace
+
+int validate(const ValidateOptions& options) {
+  const std::vector<Claim> claims = chosen_claims(options);
+  std::uint64_t seed = options.release_seed;
+  if (options.tier == Tier::quick) {
+    if (seed != 0)
+      throw InputError("a release seed in tier quick", "its seeds are fixed, so that a verdict changes only with the "
+                       "program", "leave out --release-seed, or choose --tier standard");
+  } else {
+    if (seed == 0) seed = default_release_seed();
+    fmt::print(stderr, "release seed {}: --release-seed {} repeats these runs\n", seed, seed);
+  }
+  Validation validation(options);
+  try {
+    if (!options.only_runs.empty()) {
+      validation.run_only(claims, seed);
+      print_problems(validation.problems());
+      return exit_status({}, validation.problems());
+    }
+    validation.judge_all(claims, seed, {});
+    if (options.tier != Tier::quick) confirm(validation, claims, seed);
+  } catch (const Stopped&) {
+    fmt::print(stderr, "gpf: stopped by a signal; the same command goes on\n");
+    return static_cast<int>(ExitStatus::interrupted);
+  }
+  const std::vector<Verdict> verdicts = validation.verdicts();
+  if (options.json)
+    print_json(options, verdicts, validation.problems());
+  else
+    print_table(options, verdicts);
+  print_problems(validation.problems());
+  return exit_status(verdicts, validation.problems());
+}
+
+std::uint64_t default_release_seed() { return hash_text("release " + build_provenance().version); }
+
+std::uint64_t program_hash() {
+  try {
+    return hash_text(read_text("/proc/self/exe"));
+  } catch (const StorageError&) {
+    return 0;
+  }
+}
+
+}  // namespace gpf
