@@ -33,31 +33,41 @@ struct Claim {
   Expectation expected = Expectation::reproduced;
   std::string expected_because;  ///< required unless reproduced: the evidence
   std::string estimator;         ///< name of the function that makes checks of records
-  std::map<Tier, std::vector<std::string>>
-      scenes;                    ///< runs that the claim reads, by tier; a tier falls back on the one below
+  /// Runs that the claim reads, by tier; a tier falls back on the one below.
+  std::map<Tier, std::vector<std::string>> scenes;
   std::map<Tier, int> replicas;  ///< most replicas that the judge may ask for, by tier
   std::vector<ToleranceTerm> tolerance;
   std::string tolerance_unit;  ///< "relative", "absolute", ...: what the terms are measured in
   std::map<std::string, double, std::less<>> parameters;  ///< further numbers of the estimator
   std::vector<std::string> catches;                       ///< faults that the claim is there to catch
-  std::string reproduce;                                  ///< the one command that reproduces it (generated)
+  bool transient = false;       ///< it reads the way to the steady state: its runs need not be stationary
+  std::string reproduce;        ///< the one command that reproduces it (generated)
+  std::uint64_t text_hash = 0;  ///< hash_text of the file: a verdict on another text is stale
 
   /// Sum of the terms.
   [[nodiscard]] double tolerance_total() const;
   /// Throws InputError when the claim file has no such parameter.
   [[nodiscard]] double parameter(std::string_view name) const;
+  /// False when its lowest tier with scenes lies above `tier`; a claim that reads no run is judged in every tier.
+  [[nodiscard]] bool judged_in(Tier tier) const;
+  /// Scenes of the tier, or of the next one below that has an entry; empty when there is none.
+  [[nodiscard]] std::vector<std::string> scenes_in(Tier tier) const;
+  /// Most replicas in the tier, with the same fall-back; 1 when there is no entry.
+  [[nodiscard]] int replicas_in(Tier tier) const;
 };
 
-/// Strict: unknown keys, missing evidence and duplicate ids are errors with file and line. Throws InputError,
-/// StorageError.
+/// Strict: unknown keys, missing evidence and an id that is not the file's name are errors with file and line; the
+/// format is documented in reference/claims/README.md. Throws InputError, StorageError.
 Claim load_claim(const std::filesystem::path& path);
-/// All claims of a folder, by id.
+/// load_claim of a text; `path` stands for the file.
+Claim parse_claim(std::string_view text, const std::filesystem::path& path);
+/// All claims of a folder (its *.toml), by id. Throws StorageError, and InputError when there is none.
 std::vector<Claim> load_claims(const std::filesystem::path& folder);
 
 std::string_view name_of(Tier tier);
 std::string_view name_of(Kind kind);
 std::string_view name_of(Expectation expectation);
-Tier tier_named(std::string_view name);  ///< Throws InputError that lists the tiers.
+Tier tier_named(std::string_view name);                ///< Throws InputError that lists the tiers.
 Kind kind_named(std::string_view name);                ///< Throws InputError that lists the kinds.
 Expectation expectation_named(std::string_view name);  ///< Throws InputError that lists them.
 

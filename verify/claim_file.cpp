@@ -15,8 +15,9 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 17> claim_keys{
-    "id",       "title",     "chapter",        "source",  "statement", "method", "kind",     "expected", "expected_because",
-    "estimator", "transient", "tolerance_unit", "catches", "scenes",    "replicas", "tolerance", "parameters"};
+    "id",      "title",    "chapter",          "source",    "statement", "method",
+    "kind",    "expected", "expected_because", "estimator", "transient", "tolerance_unit",
+    "catches", "scenes",   "replicas",         "tolerance", "parameters"};
 constexpr std::array<std::string_view, 3> tier_keys{"quick", "standard", "full"};
 constexpr std::array<std::string_view, 3> term_keys{"name", "value", "evidence"};
 constexpr std::array<std::int64_t, 5> replica_caps{1, 4, 8, 16, 32};
@@ -46,7 +47,7 @@ bool is_name(std::string_view text) {
 std::string id_of(const TomlFields& file, const std::filesystem::path& path) {
   std::string id = file.text("id");
   if (!is_name(id))
-    throw file.error("id", fmt::format("id {} cannot be used", quoted(id)),
+    throw file.error("id", fmt::format("id {} cannot be used", gpf::quoted(id)),
                      "it is the name of a file and of a test", "use letters, digits, '-', '_' and dots between them");
   if (path.filename().string() != id + ".toml")
     throw file.error("id", fmt::format("id '{}' is not the name of the file", id), "a claim is found by its id",
@@ -78,7 +79,7 @@ void read_scenes(const TomlFields& file, Claim& claim) {
     std::vector<std::string> names = scenes.texts(entry.key);
     for (const std::string& name : names)
       if (!is_name(name))
-        throw scenes.error(entry.key, fmt::format("scene {} cannot be used", quoted(name)),
+        throw scenes.error(entry.key, fmt::format("scene {} cannot be used", gpf::quoted(name)),
                            "it is the name of a file in reference/scenes/ without .toml", "correct it");
     claim.scenes[tier_named(entry.key)] = std::move(names);
   }
@@ -104,19 +105,19 @@ void read_tolerance(const TomlFields& file, Claim& claim) {
   for (const TomlFields& fields : file.tables("tolerance", "[[tolerance]]", Keys(term_keys))) {
     ToleranceTerm term{fields.text("name"), fields.number("value"), fields.text("evidence")};
     if (term.value < 0)
-      throw fields.error("value", fmt::format("tolerance {} = {} is negative", quoted(term.name), term.value),
+      throw fields.error("value", fmt::format("tolerance {} = {} is negative", gpf::quoted(term.name), term.value),
                          "terms add up to half the width of the band", "write 0 or more");
     for (const ToleranceTerm& other : claim.tolerance)
       if (other.name == term.name)
-        throw fields.error("name", fmt::format("tolerance {} is given twice", quoted(term.name)),
+        throw fields.error("name", fmt::format("tolerance {} is given twice", gpf::quoted(term.name)),
                            "each reason counts once", "join them or name them apart");
     claim.tolerance.push_back(std::move(term));
   }
   if (claim.tolerance.empty() == file.has("tolerance_unit"))
-    throw file.error("tolerance_unit",
-                     claim.tolerance.empty() ? "tolerance_unit without [[tolerance]]"
-                                             : "[[tolerance]] without tolerance_unit",
-                     "numbers and their unit belong together", "add what is missing or remove the other");
+    throw file.error(
+        "tolerance_unit",
+        claim.tolerance.empty() ? "tolerance_unit without [[tolerance]]" : "[[tolerance]] without tolerance_unit",
+        "numbers and their unit belong together", "add what is missing or remove the other");
   if (file.has("tolerance_unit")) claim.tolerance_unit = file.text("tolerance_unit");
 }
 

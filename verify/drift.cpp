@@ -18,8 +18,7 @@ using Quarters = std::array<double, parts>;
 Quarters quarters_of(const std::vector<double>& blocks) {
   const std::size_t length = blocks.size() / parts, first = blocks.size() % parts;
   Quarters means{};
-  for (std::size_t k = 0; k < parts * length; ++k)
-    means[k / length] += blocks[first + k] / static_cast<double>(length);
+  for (std::size_t k = 0; k < parts * length; ++k) means[k / length] += blocks[first + k] / static_cast<double>(length);
   return means;
 }
 
@@ -44,11 +43,10 @@ DriftTest drift_test(const std::vector<std::vector<double>>& replicas) {
   const auto mean_of = [](const Quarters& row) { return (row[0] + row[1] + row[2] + row[3]) / parts; };
   double squares = 0;
   for (const Quarters& row : table)
-    for (std::size_t q = 0; q < parts; ++q)
-      squares += square((row[q] - mean_of(row)) - (course[q] - mean_of(course)));
+    for (std::size_t q = 0; q < parts; ++q) squares += square((row[q] - mean_of(row)) - (course[q] - mean_of(course)));
   const double freedom = (parts - 1) * (count - 1), error = std::sqrt(squares / freedom / count);  // of course[q]
-  const double halves = (course[2] + course[3] - course[0] - course[1]) / 2;                // variance 4/4
-  const double first_quarter = course[0] - (course[1] + course[2] + course[3]) / 3;         // variance 1 + 3/9
+  const double halves = (course[2] + course[3] - course[0] - course[1]) / 2;                       // variance 4/4
+  const double first_quarter = course[0] - (course[1] + course[2] + course[3]) / 3;                // variance 1 + 3/9
   return {two_sided_p(halves, error, freedom), two_sided_p(first_quarter, error * std::sqrt(4.0 / 3), freedom)};
 }
 

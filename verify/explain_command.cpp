@@ -37,9 +37,11 @@ void print_explanation(const ExplainOptions& options) {
 
 void add_explain_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand("explain", "Say what a claim states, how it is tested and how far off it may be");
+  CLI::App* command =
+      app.add_subcommand("explain", "Say what a claim states, how it is tested and how far off it may be");
   command->add_option("claim", options->claim, "Id of the claim")->required();
-  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")->capture_default_str();
+  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")
+      ->capture_default_str();
   command->footer("Example:\n  gpf explain eos.global\n");
   command->callback([options, &status] {
     print_explanation(*options);

@@ -60,7 +60,8 @@ class Gate {
       return add("claim {}: {}", claim.id, error.what());
     }
     if (!agrees(verdict.outcome, claim.expected))
-      add("claim {}: {}, expected {}: {}", claim.id, name_of(verdict.outcome), name_of(claim.expected), verdict.summary);
+      add("claim {}: {}, expected {}: {}", claim.id, name_of(verdict.outcome), name_of(claim.expected),
+          verdict.summary);
     if (const std::string why = staleness(claim, verdict); !why.empty())
       add("claim {}: its verdict is stale, {}: gpf validate {}", claim.id, why, claim.id);
   }

@@ -44,10 +44,11 @@ HealthCheck check_drift(const Fields& fields) {
   for (const auto& [what, replicas] : fields) {
     for (const auto& blocks : replicas)
       if (blocks.size() < fewest_blocks_of_a_steady_run)
-        return {name, false,
-                fmt::format("{}: {} blocks are too few to see a drift, {} are needed: lower the scene's sample_interval "
-                            "or measure longer",
-                            what, blocks.size(), fewest_blocks_of_a_steady_run)};
+        return {
+            name, false,
+            fmt::format("{}: {} blocks are too few to see a drift, {} are needed: lower the scene's sample_interval "
+                        "or measure longer",
+                        what, blocks.size(), fewest_blocks_of_a_steady_run)};
     const DriftTest drift = drift_test(replicas);
     if (std::isnan(drift.halves_p)) return {name, false, what + ": one replica cannot show it"};
     tests.push_back({what + ", second half against first", drift.halves_p, z_of(drift.halves_p)});
@@ -73,7 +74,8 @@ FieldTest compare_errors(const std::string& what, const std::vector<std::vector<
   }
   const double variance = square(summarise(means).deviation), ratio = std::sqrt(squared_error / variance);
   const double f = variance / squared_error, scatter_freedom = static_cast<double>(means.size() - 1);
-  const double tail = std::min(gsl_cdf_fdist_P(f, scatter_freedom, freedom), gsl_cdf_fdist_Q(f, scatter_freedom, freedom));
+  const double tail =
+      std::min(gsl_cdf_fdist_P(f, scatter_freedom, freedom), gsl_cdf_fdist_Q(f, scatter_freedom, freedom));
   return {what, std::min(1.0, 2 * tail), ratio};
 }
 
@@ -87,7 +89,9 @@ HealthCheck check_block_errors(const Fields& fields) {
   const std::string name = "block errors agree with the scatter between replicas";
   if (tests.empty()) return {name, true, "not judged with fewer than 8 replicas or 20 blocks"};
   const double limit = health_false_alarm_rate / static_cast<double>(tests.size());
-  const auto failed = [limit](const FieldTest& t) { return !(t.measured >= 0.5 && t.measured <= 2) && !(t.p >= limit); };
+  const auto failed = [limit](const FieldTest& t) {
+    return !(t.measured >= 0.5 && t.measured <= 2) && !(t.p >= limit);
+  };
   const auto worst = std::max_element(tests.begin(), tests.end(), [&](const FieldTest& a, const FieldTest& b) {
     return std::pair(failed(a), std::abs(std::log(a.measured))) < std::pair(failed(b), std::abs(std::log(b.measured)));
   });
@@ -127,7 +131,8 @@ double imbalance(const Record& record) {
   const auto total = [&](Tally tally) {
     double sum = 0;
     for (std::size_t b = 0; b < record.blocks; ++b)
-      for (std::size_t k = 0; k < layout.extent(tally); ++k) sum += record.sums[b * layout.size() + layout.at(tally, k)];
+      for (std::size_t k = 0; k < layout.extent(tally); ++k)
+        sum += record.sums[b * layout.size() + layout.at(tally) + k];
     return sum;
   };
   const double work = total(Tally::gravity_work), pairs = total(Tally::pair_loss), walls = total(Tally::wall_loss),

@@ -15,8 +15,8 @@ inline constexpr double health_false_alarm_rate = 0.0027;
 /// Fewest blocks of a record that is to show that it is steady: eight in each quarter of the window.
 inline constexpr std::size_t fewest_blocks_of_a_steady_run = 32;
 
-/// Deepest overlap in diameters, and imbalance of the energy budget over the measured window in units of the energy that
-/// turned over. Both are round-off, far below these limits, unless an event was missed or resolved wrongly.
+/// Deepest overlap in diameters, and imbalance of the energy budget over the measured window in units of the energy
+/// that turned over. Both are round-off, far below these limits, unless an event was missed or resolved wrongly.
 inline constexpr double deepest_healthy_overlap = 1e-12;
 inline constexpr double largest_healthy_imbalance = 1e-9;
 
@@ -33,8 +33,8 @@ inline constexpr double largest_healthy_imbalance = 1e-9;
 ///   scenes raises no more false alarms than one with a single scene. Records with fewer than
 ///   fewest_blocks_of_a_steady_run blocks fail: they cannot show it;
 /// - block errors agree with the scatter between replicas (R >= 8 and at least 20 blocks): their ratio lies within
-///   [0.5, 2], or departs from 1 by no more than chance, with the same error rate and correction. (With R = 8 the scatter
-///   itself is known to 27 %: for true ratios of 1, 3 % of the measured ones exceed 2.)
+///   [0.5, 2], or departs from 1 by no more than chance, with the same error rate and correction. (With R = 8 the
+///   scatter itself is known to 27 %: for true ratios of 1, 3 % of the measured ones exceed 2.)
 std::vector<HealthCheck> check_records(const Claim& claim, const SceneRecords& records, bool statistical);
 
 }  // namespace gpf

@@ -22,7 +22,8 @@ bool all_finite(const std::vector<double>& values) {
 
 Outcome exact_outcome(const Check& check) {
   if (!all_finite(check.values)) return Outcome::inconclusive;
-  const bool inside = std::all_of(check.values.begin(), check.values.end(), [&](double v) { return check.band.contains(v); });
+  const bool inside =
+      std::all_of(check.values.begin(), check.values.end(), [&](double v) { return check.band.contains(v); });
   return inside ? Outcome::pass : Outcome::fail;
 }
 
@@ -92,7 +93,8 @@ void find_failures(std::vector<JudgedCheck>& checks, double alpha) {
 
 Outcome outcome_of(const std::vector<JudgedCheck>& checks, const std::vector<HealthCheck>& health) {
   const auto count = [&](Outcome outcome) {
-    return std::count_if(checks.begin(), checks.end(), [outcome](const JudgedCheck& c) { return c.outcome == outcome; });
+    return std::count_if(checks.begin(), checks.end(),
+                         [outcome](const JudgedCheck& c) { return c.outcome == outcome; });
   };
   const bool healthy = std::all_of(health.begin(), health.end(), [](const HealthCheck& h) { return h.passed; });
   if (!healthy || checks.empty()) return Outcome::inconclusive;

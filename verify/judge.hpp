@@ -40,8 +40,8 @@ struct Verdict {
   std::vector<std::string> records;  ///< names of the records that it read
   std::uint64_t claim_hash = 0;      ///< Claim::text_hash of the file that was judged
   int physics_version = gpf::physics_version;
-  std::uint64_t program_hash = 0;    ///< of the program that judged; 0: not known
-  std::uint64_t release_seed = 0;    ///< mixed into the replicas' seeds; 0 in the quick tier, whose seeds are fixed
+  std::uint64_t program_hash = 0;  ///< of the program that judged; 0: not known
+  std::uint64_t release_seed = 0;  ///< mixed into the replicas' seeds; 0 in the quick tier, whose seeds are fixed
 };
 
 /// alpha is shared evenly over the looks that a claim's cap allows: alpha_k = alpha/looks (Bonferroni), so that looking
@@ -55,16 +55,16 @@ std::vector<int> looks_up_to(int most_replicas);
 /// Judges evidence from `replicas` replicas at look `look` of `looks`, both from 1.
 ///
 /// A statistical check passes when its t-interval at alpha_k lies inside the band. It fails when its p-value of "the
-/// true mean lies in the band", after Holm's correction over the statistical checks of the claim, is at most alpha_k; for
-/// a claim of one check that is when interval and band are disjoint. An exact check passes when every value lies in the
-/// band and fails otherwise. Without values, or with one that is not finite, a check is inconclusive.
+/// true mean lies in the band", after Holm's correction over the statistical checks of the claim, is at most alpha_k;
+/// for a claim of one check that is when interval and band are disjoint. An exact check passes when every value lies in
+/// the band and fails otherwise. Without values, or with one that is not finite, a check is inconclusive.
 ///
 /// The claim passes when all checks pass - an intersection of tests, which needs no correction - and fails when one
 /// fails. A failed health check, or no check at all, makes it inconclusive whatever the checks say.
 ///
-/// Rates, over all looks together: a claim of which some check's true value lies on or outside a band's edge passes with
-/// probability at most alpha; a claim whose true values all lie in their bands fails with probability at most alpha for
-/// each edge. Everything else is `inconclusive`, with the R that would decide.
+/// Rates, over all looks together: a claim of which some check's true value lies on or outside a band's edge passes
+/// with probability at most alpha; a claim whose true values all lie in their bands fails with probability at most
+/// alpha for each edge. Everything else is `inconclusive`, with the R that would decide.
 Verdict judge(const Claim& claim, Tier tier, const Evidence& evidence, int replicas, int look, int looks);
 
 /// Green: reproduced and pass, refuted and fail, unresolved and inconclusive.

@@ -49,7 +49,8 @@ void PoolProgress::show() {
   for (std::size_t k = 0; k < jobs_.size(); ++k)
     if (fraction_[k] > 0 && fraction_[k] < 1)
       running += fmt::format("  {} {:.0f} %", jobs_[k].label, 100 * fraction_[k]);
-  const std::string left = worked > 0 ? "about " + duration_text(elapsed() * (all - done) / worked) + " left" : "starting";
+  const std::string left =
+      worked > 0 ? "about " + duration_text(elapsed() * (all - done) / worked) + " left" : "starting";
   constexpr std::size_t columns = 79;  // a longer line would wrap and could not be overwritten
   const std::string line = fmt::format("{} of {} runs done, {}{}", ended_, jobs_.size(), left, running);
   fmt::print(stderr, "\r\033[K{}", line.substr(0, columns));

@@ -28,7 +28,7 @@ struct PoolOptions {
   double checkpoint_period = 60;                     ///< seconds
   const volatile std::sig_atomic_t* stop = nullptr;  ///< set: let the runs write checkpoints, and return
   RunFunction run = simulate;
-  std::vector<std::string> command;                  ///< for the records' provenance
+  std::vector<std::string> command;  ///< for the records' provenance
 };
 
 struct RunFailure {

@@ -33,7 +33,7 @@ TomlFields::TomlFields(const TomlTable& table, TomlPosition position, std::strin
   if (known.empty()) return;
   for (const TomlEntry& entry : table)
     if (std::find(known.begin(), known.end(), entry.key) == known.end())
-      throw error_at(file_, entry.position, fmt::format("unknown key {}{}", quoted(entry.key), in_where()),
+      throw error_at(file_, entry.position, fmt::format("unknown key {}{}", gpf::quoted(entry.key), in_where()),
                      fmt::format("known are: {}", fmt::join(known, ", ")),
                      fmt::format("did you mean '{}'?", nearest_word(entry.key, known)));
 }
@@ -106,7 +106,7 @@ std::vector<std::string> TomlFields::texts(std::string_view key) const {
       throw error_at(file_, element.position, fmt::format("{} holds an empty string", key), "it names nothing",
                      "fill it in or leave it out");
     if (std::find(result.begin(), result.end(), word) != result.end())
-      throw error_at(file_, element.position, fmt::format("{} holds {} twice", key, quoted(word)),
+      throw error_at(file_, element.position, fmt::format("{} holds {} twice", key, gpf::quoted(word)),
                      "each is listed once", "remove one");
     result.push_back(std::move(word));
   }

@@ -128,7 +128,8 @@ void confirm(Validation& validation, const std::vector<Claim>& claims, std::uint
   std::map<std::string, std::string> notes;
   for (const Verdict& verdict : validation.verdicts()) {
     if (verdict.outcome != Outcome::fail || verdict.green) continue;
-    again.push_back(*std::find_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == verdict.claim_id; }));
+    again.push_back(
+        *std::find_if(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == verdict.claim_id; }));
     notes[verdict.claim_id] =
         fmt::format("Confirmation run with new seeds; with release seed {} it failed: {}.", seed, verdict.summary);
   }
@@ -153,8 +154,10 @@ int validate(const ValidateOptions& options) {
   std::uint64_t seed = options.release_seed;
   if (options.tier == Tier::quick) {
     if (seed != 0)
-      throw InputError("a release seed in tier quick", "its seeds are fixed, so that a verdict changes only with the "
-                       "program", "leave out --release-seed, or choose --tier standard");
+      throw InputError("a release seed in tier quick",
+                       "its seeds are fixed, so that a verdict changes only with the "
+                       "program",
+                       "leave out --release-seed, or choose --tier standard");
   } else {
     if (seed == 0) seed = default_release_seed();
     fmt::print(stderr, "release seed {}: --release-seed {} repeats these runs\n", seed, seed);

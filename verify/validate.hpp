@@ -15,7 +15,7 @@ namespace gpf {
 
 struct ValidateOptions {
   Tier tier = Tier::quick;
-  std::vector<std::string> claims;     ///< ids; empty: all of the tier
+  std::vector<std::string> claims;  ///< ids; empty: all of the tier
   std::filesystem::path store = "records", reference = "reference";
   int jobs = 1;                        ///< runs at a time
   std::uint64_t release_seed = 0;      ///< standard and full: mixed into the replicas' seeds; 0: that of this version
@@ -25,19 +25,19 @@ struct ValidateOptions {
   const volatile std::sig_atomic_t* stop = nullptr;
   RunFunction run = simulate;
   EstimatorLookup estimators = estimator_named;
-  std::vector<std::string> command;    ///< for the records' provenance
+  std::vector<std::string> command;  ///< for the records' provenance
 };
 
-/// Seeds of the quick tier are fixed: with bit-reproducible runs a verdict can only change when the program does. In the
-/// other tiers they are fresh for each release (from its version, or as given) and printed; a claim that then fails
-/// although it should not gets one confirmation run with new seeds, whose verdict counts, and the first one's summary among
-/// its notes. Two such fails in a row have probability 1e-4 per direction.
+/// Seeds of the quick tier are fixed: with bit-reproducible runs a verdict can only change when the program does. In
+/// the other tiers they are fresh for each release (from its version, or as given) and printed; a claim that then fails
+/// although it should not gets one confirmation run with new seeds, whose verdict counts, and the first one's summary
+/// among its notes. Two such fails in a row have probability 1e-4 per direction.
 ///
-/// Every verdict is written into the store (verdict_file.hpp). Prints a table, or one JSON object, on standard output, and
-/// progress on standard error. Returns the program's exit status: 0 all green; 1 a claim is decided against its
-/// expectation (or an `unresolved` one is decided); 77 otherwise, when a claim that should be decided is not; 75 stopped by a signal;
-/// 2, 3 or 4 when a run failed or a claim could not be judged, whatever the others say.
-/// Throws InputError for an unknown claim or scene, or a release seed in the quick tier.
+/// Every verdict is written into the store (verdict_file.hpp). Prints a table, or one JSON object, on standard output,
+/// and progress on standard error. Returns the program's exit status: 0 all green; 1 a claim is decided against its
+/// expectation (or an `unresolved` one is decided); 77 otherwise, when a claim that should be decided is not; 75
+/// stopped by a signal; 2, 3 or 4 when a run failed or a claim could not be judged, whatever the others say. Throws
+/// InputError for an unknown claim or scene, or a release seed in the quick tier.
 int validate(const ValidateOptions& options);
 
 /// The release seed that stands for this version of gpf.

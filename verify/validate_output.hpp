@@ -23,7 +23,8 @@ std::string_view colour_of(const Verdict& verdict);
 /// One line per claim, those that are not green first, and a line of totals.
 void print_table(const ValidateOptions& options, const std::vector<Verdict>& verdicts);
 
-/// {"tier", "claims": [{"id", "outcome", "expected", "green", "replicas", "summary", "cpu_seconds", "records"}], "problems"}
+/// {"tier", "claims": [{"id", "outcome", "expected", "green", "replicas", "summary", "cpu_seconds", "records"}],
+/// "problems"}
 void print_json(const ValidateOptions& options, const std::vector<Verdict>& verdicts,
                 const std::vector<ValidateProblem>& problems);
 

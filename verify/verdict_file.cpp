@@ -67,9 +67,10 @@ Json plot_json(const Plot& plot) {
                       {"yerr", numbers(s.yerr)},
                       {"lower", numbers(s.lower)},
                       {"upper", numbers(s.upper)}});
-  return {{"title", plot.title}, {"xlabel", plot.xlabel},           {"ylabel", plot.ylabel},
-          {"logx", plot.logx},   {"logy", plot.logy},               {"xrange", range_json(plot.xrange)},
-          {"series", series},    {"yrange", range_json(plot.yrange)}};
+  return {{"title", plot.title},   {"xlabel", plot.xlabel},
+          {"ylabel", plot.ylabel}, {"logx", plot.logx},
+          {"logy", plot.logy},     {"xrange", range_json(plot.xrange)},
+          {"series", series},      {"yrange", range_json(plot.yrange)}};
 }
 
 SeriesStyle style_named(const std::string& name) {
@@ -80,8 +81,13 @@ SeriesStyle style_named(const std::string& name) {
 }
 
 Plot plot_from(const Json& json) {
-  Plot plot{json.at("title"),  json.at("xlabel"),           json.at("ylabel"), json.at("logx"),
-            json.at("logy"),   range_from(json.at("xrange")), range_from(json.at("yrange"))};
+  Plot plot{json.at("title"),
+            json.at("xlabel"),
+            json.at("ylabel"),
+            json.at("logx"),
+            json.at("logy"),
+            range_from(json.at("xrange")),
+            range_from(json.at("yrange"))};
   for (const Json& s : json.at("series"))
     plot.series.push_back({s.at("label"), style_named(s.at("style")), numbers(s.at("x")), numbers(s.at("y")),
                            numbers(s.at("yerr")), numbers(s.at("lower")), numbers(s.at("upper"))});

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Distance from the mean to the nearest edge in half widths of the interval; negative outside of the band. For an exact
-/// check the distance of its worst value, in half widths of the band where that is finite.
+/// Distance from the mean to the nearest edge in half widths of the interval; negative outside of the band. For an
+/// exact check the distance of its worst value, in half widths of the band where that is finite.
 double room(const JudgedCheck& c) {
   const Interval band = c.check.band;
   if (c.check.exact) {

@@ -120,27 +120,27 @@ class Cells {
   }
 
   /// Moves a disk to the cell beyond a side; where the grid closes on itself its coordinate changes by a period,
-  /// exactly. Returns whether its flight now begins more than a period outside the box.
+  /// exactly. Returns whether it did: whether the disk has gone round the box.
   bool cross(Place& place, Index i, Side side) {
     Flight f = flight(place.slot);
     remove(place);
-    bool far = false;
+    bool round = false;
     switch (side) {
       case Side::left:
-        if (--place.column < 0) place.column += columns_, f.x += length_, far = f.x > 2 * length_;
+        if (--place.column < 0) place.column += columns_, f.x += length_, round = true;
         break;
       case Side::right:
-        if (++place.column == columns_) place.column = 0, f.x -= length_, far = f.x < -length_;
+        if (++place.column == columns_) place.column = 0, f.x -= length_, round = true;
         break;
       case Side::lower:
-        if (--place.row < 0) place.row += rows_, f.y += 1, far = f.y > 2;
+        if (--place.row < 0) place.row += rows_, f.y += 1, round = true;
         break;
       case Side::upper:
-        if (++place.row == rows_) place.row = 0, f.y -= 1, far = f.y < -1;
+        if (++place.row == rows_) place.row = 0, f.y -= 1, round = true;
         break;
     }
     insert(place, i, f);
-    return far;
+    return round;
   }
 
   /// What a disk looks at: its whole neighbourhood, or what came into reach when it crossed a side of the cell before.

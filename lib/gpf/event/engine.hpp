@@ -30,14 +30,16 @@ namespace gpf {
 /// Each disk has one scheduled event: its next contact or its exit from its cell, whichever comes first. A contact is
 /// scheduled by the disk that finds it; when its partner has collided in between it is stale and the disk looks again.
 /// Time runs in epochs of a power-of-two length: at the start of each all disks are brought to one time, the frame is
-/// boosted to the mean flow and everything is predicted anew. Within an epoch a disk's state changes only at contacts,
-/// and contact times are a function of states, so a trajectory - and its trace_hash() - is a function of (scene, start)
-/// alone: not of the queue, the cells, the compiler, or where a run was stopped and resumed.
+/// boosted to the mean flow and everything is predicted anew. Within an epoch a disk's state changes only at contacts
+/// (and where it goes round the box), and contact times are a function of states; contacts at equal times have an
+/// order of their own. So a trajectory - and its trace_hash() - is a function of (scene, start) alone: not of the
+/// queue, the cells, the compiler, or where a run was stopped and resumed.
 template <class Queue = CalendarQueue, class Physics = GranularPhysics>
 class Engine {
  public:
   /// Starts from a laboratory-frame state at time 0.
-  /// `disks_per_cell` decides about speed only; 0 chooses by density. Throws PhysicsError if disks overlap.
+  /// `disks_per_cell` decides about speed only; 0 chooses by density. Throws PhysicsError if disks overlap, InputError
+  /// if a disk is outside the box or a period is too short.
   Engine(const Scene& scene, const State& start, double disks_per_cell = 0);
 
   /// Goes on from a checkpoint of the same scene.
@@ -91,7 +93,7 @@ class Engine {
   template <class Observer>
   void bounce(Index i, double t, Observer& observer);
   void cross(Index i);
-  void anchor(Index i);
+  void enter(Index i);
   [[nodiscard]] std::uint64_t rank(Index i) const;
   void predict(Index i);
   void look(Index i, Cells::Block block);
@@ -221,15 +223,15 @@ template <class Queue, class Physics>
 void Engine<Queue, Physics>::cross(Index i) {
   ++counts_.crossings;
   Plan& mine = plan(i);
-  if (cells_.cross(mine.place, i, mine.side)) return anchor(i);
+  if (cells_.cross(mine.place, i, mine.side)) return enter(i);
   if (mine.partner >= 0 && plan(mine.partner).events != mine.partner_events) return predict(i);
   look(i, Cells::ahead(mine.side));
 }
 
-/// A disk that has gone round twice without a contact: its flight begins anew where it entered the box, because
-/// coordinates much further out would not be exact. What was predicted for it is stale.
+/// A disk that goes round the box begins a new flight where it enters, because coordinates far outside would not be
+/// exact. What was predicted for it is stale.
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::anchor(Index i) {
+void Engine<Queue, Physics>::enter(Index i) {
   Plan& mine = plan(i);
   const Flight f = cells_.flight(mine.place.slot);
   const double x = mine.side == Side::left ? length_ : 0, y = mine.side == Side::lower ? 1 : 0;

@@ -40,6 +40,7 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
       events_per_time_(2 * scene.particles * scene.reference_collision_rate()),
       trace_(state.trace_hash),
       counts_(state.counts) {
+  detail::require_room(scene);
   detail::require_inside(scene, state);
   detail::require_apart(scene, state);
   const auto count = static_cast<std::size_t>(scene.particles);

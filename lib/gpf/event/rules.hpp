@@ -12,7 +12,7 @@ namespace gpf {
 /// passed since the last contact of either partner, else its normal restitution is one.
 class ContactMemory {
  public:
-  explicit ContactMemory(double tc_time) : tc_time_(tc_time) {}
+  explicit ContactMemory(double tc_time) : tc_time_(tc_time > 0 ? tc_time : -1) {}  // off: contacts at one time too
   [[nodiscard]] double restitution(double e, double time_since_last_contact) const {
     return time_since_last_contact > tc_time_ ? e : 1;
   }

@@ -25,6 +25,14 @@ inline std::string describe(const EngineState& state, std::size_t i) {
                      state.vy[i]);
 }
 
+/// Throws InputError if a period is shorter than the three cells, each wider than a disk, which the engine needs.
+inline void require_room(const Scene& scene) {
+  const double period = scene.geometry == Geometry::channel ? scene.length() : std::min(scene.length(), 1.0);
+  if (!(period > 3.001 * scene.diameter()))
+    throw InputError(fmt::format("a period is {:.4g} diameters", period / scene.diameter()),
+                     "with three or less a disk may touch another in two places", "use a longer or wider scene");
+}
+
 /// Throws InputError unless each disk of the scene has finite numbers and a place in the box, give or take round-off.
 inline void require_inside(const Scene& scene, const EngineState& state) {
   const auto count = static_cast<std::size_t>(scene.particles);

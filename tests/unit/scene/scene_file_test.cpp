@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(unknown_tables_and_misplaced_keys_are_refused) {
                 {"unknown key 'bins' in [scene]", "move it below [run]"});
   check_refused(with(channel_text, "particles", "partciles"), "3:1",
                 {"unknown key 'partciles'", "did you mean 'particles'?"});
-  check_refused(with(channel_text, "particles", "\"a\\nb\""), "3:1", {"unknown key 'a?b'"});
+  check_refused(with(channel_text, "particles", R"("a\nb")"), "3:1", {"unknown key 'a?b'"});
   check_refused(with(channel_text, "particles", "particles.x"), "3:1", {"particles is a table"});
 }
 
@@ -173,10 +173,10 @@ BOOST_AUTO_TEST_CASE(missing_keys_without_default_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(unknown_words_are_told_the_nearest) {
-  check_refused(with(channel_text, "\"channel\"", "\"chanel\""), "2:12",
-                {"geometry = 'chanel' is unknown", "\"channel\" | \"periodic\"", "did you mean \"channel\"?"});
+  check_refused(with(channel_text, R"("channel")", R"("chanel")"), "2:12",
+                {"geometry = 'chanel' is unknown", R"("channel" | "periodic")", "did you mean \"channel\"?"});
   check_refused(with(channel_text, "[run]", "lattice = \"hexagonal\"\n[run]"), "8:11",
-                {"lattice = 'hexagonal' is unknown", "\"auto\" | \"square\" | \"triangular\""});
+                {"lattice = 'hexagonal' is unknown", R"("auto" | "square" | "triangular")"});
 }
 
 BOOST_AUTO_TEST_CASE(walls_come_in_pairs) {

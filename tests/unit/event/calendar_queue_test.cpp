@@ -1,0 +1,36 @@
+// The calendar against an ordered set.
+#include "gpf/event/calendar_queue.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "queue_model.hpp"
+
+using namespace gpf;
+
+BOOST_AUTO_TEST_SUITE(calendar_queue)
+
+BOOST_AUTO_TEST_CASE(follows_its_model_whatever_rate_of_events_it_expects) {
+  // From one day for all events to a thousand days between two of 64 disks.
+  for (const double events_per_time : {0.0, 1e-6, 1.0, 2000.0, 1e5})
+    test::queue_follows_its_model<CalendarQueue>(events_per_time);
+}
+
+BOOST_AUTO_TEST_CASE(without_disks_or_events_it_has_no_earliest) {
+  test::queue_without_disks_or_events_has_no_earliest<CalendarQueue>();
+}
+
+BOOST_AUTO_TEST_CASE(forgets_what_lies_beyond_its_horizon) {
+  test::queue_forgets_what_lies_beyond_its_horizon<CalendarQueue>();
+}
+
+BOOST_AUTO_TEST_CASE(takes_times_before_the_earliest_it_has_given) {
+  test::queue_takes_times_before_the_earliest_it_has_given<CalendarQueue>();
+}
+
+BOOST_AUTO_TEST_CASE(lets_the_caller_order_equal_times) {
+  test::queue_lets_the_caller_order_equal_times<CalendarQueue>();
+}
+
+BOOST_AUTO_TEST_CASE(is_empty_after_a_reset) { test::queue_is_empty_after_a_reset<CalendarQueue>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

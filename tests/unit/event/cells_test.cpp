@@ -1,0 +1,231 @@
+// The cell grid: who is found, when a disk leaves its cell, and that crossings lose nothing.
+#include "gpf/event/cells.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "gpf/base/random.hpp"
+#include "gpf/event/position_grid.hpp"
+#include "support/scenes.hpp"
+
+using namespace gpf;
+
+namespace {
+
+/// A grid of cells with disks anywhere (overlaps do not matter here), all at time 0 unless said otherwise.
+struct Filled {
+  Filled(const Scene& scene_, double disks_per_cell)
+      : scene(scene_),
+        channel(scene.geometry == Geometry::channel),
+        grid(scene.length(), 1),
+        length(grid.round(scene.length())),
+        lower(channel ? grid.round(scene.diameter() / 2) : 0),
+        cells(scene, lower, 1 - lower, length, disks_per_cell),
+        contact_time(scene.diameter(), 1) {
+    for (Index i = 0; i < scene.particles; ++i) {
+      const auto words = random_words(scene.seed, 2, static_cast<std::uint64_t>(i));
+      const Vec2 v = gaussian_pair(scene.seed, static_cast<std::uint64_t>(i));
+      flights.push_back({grid.round(length * words[0] * 0x1p-32),
+                         grid.round(lower + (1 - 2 * lower) * words[1] * 0x1p-32), v.x, v.y, 0});
+      places.push_back(cells.locate(flights.back().x, flights.back().y));
+      cells.insert(places.back(), i, flights.back());
+    }
+  }
+
+  /// Whom disk i meets among a block of cells around it, and when. No disk may be offered twice.
+  std::map<Index, double> met(Index i, Cells::Block block) {
+    std::map<Index, double> found;
+    const auto k = static_cast<std::size_t>(i);
+    cells.for_contacts(
+        places[k], cells.flight(places[k].slot), block, contact_time,
+        [&](Index j, ContactTime::Contact contact) { BOOST_REQUIRE(found.emplace(j, contact.time).second); });
+    return found;
+  }
+
+  Scene scene;
+  bool channel;
+  PositionGrid grid;
+  double length, lower;
+  Cells cells;
+  ContactTime contact_time;  // whatever overlaps here counts as round-off
+  std::vector<Flight> flights;
+  std::vector<Place> places;
+};
+
+std::vector<Scene> scenes() {
+  Scene one_row = test::channel(40, 0.3, 1.8);
+  Scene smallest = test::gas(12, 0.3);
+  smallest.length_over_width = 1;
+  smallest.width_over_diameter = 3.1;
+  return {test::gas(400, 0.1), test::gas(50, 0.6), test::channel(300, 0.4, 9.3), one_row, smallest};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(cells)
+
+BOOST_AUTO_TEST_CASE(no_narrower_than_a_disk_and_about_as_many_as_asked_for) {
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.3, 1.0, 4.0, 50.0}) {
+      const Filled f(scene, per_cell);
+      // Two places a diameter apart in x lie in the same cell or in neighbours, the last and the first included.
+      const double d = scene.diameter();
+      for (double x = 0; x < scene.length(); x += 0.13 * d) {
+        const Index from = f.cells.locate(x, 0.5).column, last = f.cells.locate(f.length, 0.5).column;
+        const Index to = f.cells.locate(std::fmod(x + d, f.length), 0.5).column;
+        BOOST_TEST((to - from == 0 || to - from == 1 || (from == last && to == 0)));
+      }
+      BOOST_TEST(f.cells.size() >= 3u);
+      if (per_cell * scene.particles < 0.1 * scene.length() / square(d) && !f.channel)
+        BOOST_TEST(static_cast<double>(f.cells.size()) <= scene.particles / per_cell * 1.01 + 9);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(places_outside_belong_to_the_nearest_cell) {
+  const Filled f(test::gas(400, 0.1), 1);
+  for (const double y : {-1e-16, 0.0, 0.7, 1.0}) {
+    BOOST_TEST(f.cells.locate(-1e-15, y).column == 0);
+    BOOST_TEST(f.cells.locate(f.length, y).column == f.cells.locate(f.length * (1 - 1e-9), y).column);
+  }
+  BOOST_TEST(f.cells.locate(0.5, -1e-17).row == 0);
+  BOOST_TEST(f.cells.locate(0.5, 1).row == f.cells.locate(0.5, 0.999999).row);
+}
+
+BOOST_AUTO_TEST_CASE(a_flight_is_kept_as_it_was_put_and_a_removed_disk_is_met_no_more) {
+  Filled f(test::gas(400, 0.1), 1);
+  for (Index i = 0; i < 400; ++i) {
+    const Flight kept = f.cells.flight(f.places[static_cast<std::size_t>(i)].slot);
+    const Flight& put = f.flights[static_cast<std::size_t>(i)];
+    BOOST_TEST((kept.x == put.x && kept.y == put.y && kept.vx == put.vx && kept.vy == put.vy && kept.time == put.time));
+  }
+  // Half of the disks go; the others must meet exactly the rest of whom they met before.
+  std::vector<std::map<Index, double>> before;
+  for (Index i = 0; i < 400; ++i) before.push_back(f.met(i, Cells::Block::all));
+  for (Index i = 1; i < 400; i += 2) f.cells.remove(f.places[static_cast<std::size_t>(i)]);
+  for (Index i = 0; i < 400; i += 2) {
+    auto expected = before[static_cast<std::size_t>(i)];
+    std::erase_if(expected, [](const auto& met) { return met.first % 2 == 1; });
+    BOOST_TEST((f.met(i, Cells::Block::all) == expected));
+  }
+  f.cells.clear();
+  BOOST_TEST(f.met(0, Cells::Block::all).empty());
+}
+
+BOOST_AUTO_TEST_CASE(whoever_meets_within_a_cell_side_is_found_at_the_time_of_the_nearest_image) {
+  // Few and many disks per cell (cells overflow), edges and corners included. A pair that touches before either could
+  // come from beyond the neighbouring cells is within a diameter of reach of it, hence nearer than a cell's side.
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 2.0, 20.0, 400.0}) {
+      Filled f(scene, per_cell);
+      const double d = scene.diameter();
+      for (Index i = 0; i < scene.particles; ++i) {
+        const auto found = f.met(i, Cells::Block::all);
+        const Flight a = f.flights[static_cast<std::size_t>(i)];
+        for (Index j = 0; j < scene.particles; ++j) {
+          const Flight b = f.flights[static_cast<std::size_t>(j)];
+          const double shift_x = -f.length * std::round((b.x - a.x) / f.length);
+          const double shift_y = f.channel ? 0 : -std::round(b.y - a.y);
+          if (std::hypot(b.x - a.x + shift_x, b.y - a.y + shift_y) > d) continue;
+          const auto e = f.contact_time.encounter(a, b, shift_x, shift_y);
+          const auto known = found.find(j);
+          BOOST_REQUIRE((known != found.end()) == e.meet());
+          if (e.meet()) BOOST_REQUIRE(known->second == f.contact_time.contact(e, 0, 0).time);
+        }
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_one_disk_finds_the_other_finds_at_the_same_time_to_the_bit) {
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 5.0}) {
+      Filled f(scene, per_cell);
+      for (Index i = 0; i < scene.particles; ++i)
+        for (const auto& [j, time] : f.met(i, Cells::Block::all)) {
+          const auto back = f.met(j, Cells::Block::all);
+          BOOST_REQUIRE(back.count(i) == 1u);
+          BOOST_REQUIRE(back.at(i) == time);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_disk_leaves_its_cell_when_and_where_it_should) {
+  for (const Scene& scene : scenes()) {
+    Filled f(scene, 1);
+    for (std::size_t i = 0; i < f.flights.size(); ++i) {
+      const Flight a = f.flights[i];
+      const Cells::Exit exit = f.cells.exit(f.places[i], a);
+      BOOST_REQUIRE(exit.time >= 0);
+      // Just before, the disk is still in its cell; just after, it is beyond the side that was named.
+      const double before = exit.time * (1 - 1e-12), after = exit.time * (1 + 1e-12) + 1e-15;
+      const Place inside = f.cells.locate(a.x + a.vx * before, a.y + a.vy * before);
+      BOOST_TEST((inside.column == f.places[i].column && inside.row == f.places[i].row));
+      const Vec2 out{a.x + a.vx * after, a.y + a.vy * after};
+      if (exit.wall) {
+        BOOST_TEST(f.channel);
+        BOOST_TEST((exit.side == (a.vy < 0 ? Side::lower : Side::upper)));
+        BOOST_TEST(std::abs(a.y + a.vy * exit.time - (a.vy < 0 ? f.lower : 1 - f.lower)) < 1e-15);
+        continue;
+      }
+      const bool left_the_box = out.x < 0 || out.x >= f.length || (!f.channel && (out.y < 0 || out.y >= 1));
+      if (left_the_box) continue;
+      const Place next = f.cells.locate(out.x, out.y);
+      const Index columns = next.column - f.places[i].column, rows = next.row - f.places[i].row;
+      BOOST_TEST(columns == (exit.side == Side::right) - (exit.side == Side::left));
+      BOOST_TEST(rows == (exit.side == Side::upper) - (exit.side == Side::lower));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_disk_at_rest_never_leaves) {
+  Filled f(test::gas(50, 0.1), 1);
+  const Cells::Exit exit = f.cells.exit(f.places[0], {f.flights[0].x, f.flights[0].y, 0, 0, 0});
+  BOOST_TEST(exit.time == never);
+  BOOST_TEST(!exit.wall);
+}
+
+BOOST_AUTO_TEST_CASE(beyond_its_last_side_a_disk_leaves_at_once) {
+  // Round-off may put a disk a hair outside its cell: it leaves now, not in the past.
+  Filled f(test::gas(50, 0.1), 1);
+  const Place corner = f.cells.locate(0, 0);
+  BOOST_TEST(f.cells.exit(corner, {-1e-15, 0.01, -1, 0, 3}).time == 3);
+  Filled c(test::channel(50, 0.1, 9.3), 1);
+  const Cells::Exit exit = c.cells.exit(c.cells.locate(0.1, c.lower), {0.1, c.lower - 1e-15, 0, -1, 3});
+  BOOST_TEST(exit.time == 3);
+  BOOST_TEST(exit.wall);
+}
+
+BOOST_AUTO_TEST_CASE(crossing_shows_all_new_neighbours_and_shifts_by_a_period_exactly) {
+  // Disks walk through the grid, sideways, up and down, until they go round the box. After each step the cells ahead
+  // must offer whatever the old neighbourhood did not.
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 5.0}) {
+      Filled f(scene, per_cell);
+      for (Index i = 0; i < std::min(scene.particles, 40); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        for (int step = 0; step < 30; ++step) {
+          const Flight a = f.cells.flight(f.places[k].slot);
+          const Cells::Exit exit = f.cells.exit(f.places[k], a);
+          if (exit.wall) break;
+          auto known = f.met(i, Cells::Block::all);
+          const bool round = f.cells.cross(f.places[k], i, exit.side);
+          const Flight b = f.cells.flight(f.places[k].slot);
+          BOOST_REQUIRE((b.x == a.x || b.x == a.x - f.length || b.x == a.x + f.length));
+          BOOST_REQUIRE((b.y == a.y || b.y == a.y - 1 || b.y == a.y + 1));
+          BOOST_REQUIRE(round == (b.x != a.x || b.y != a.y));
+          BOOST_REQUIRE((b.vx == a.vx && b.vy == a.vy && b.time == a.time));
+          // In a box of three cells the disks ahead were behind as well, in another image.
+          for (const auto& [j, time] : f.met(i, Cells::ahead(exit.side))) known[j] = time;
+          for (const auto& [j, time] : f.met(i, Cells::Block::all)) {
+            BOOST_REQUIRE(known.count(j) == 1u);
+            BOOST_REQUIRE(known[j] == time);
+          }
+          if (round) break;  // here the engine lets the disk enter the box with a new flight
+        }
+      }
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,87 @@
+#include "verify/planner.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+
+#include "gpf/base/error.hpp"
+#include "unit/io/temporary_folder.hpp"
+#include "unit/verify/claim_text.hpp"
+#include "unit/verify/fake_run.hpp"
+
+using namespace gpf;
+
+namespace {
+
+/// A folder with the scenes "short", "long" (ten times as long) and "twin" (the same as "short"), and an empty store.
+struct Fixture {
+  test::TemporaryFolder folder;
+  Fixture() {
+    std::ofstream(folder / "short.toml") << test::periodic_scene;
+    std::ofstream(folder / "twin.toml") << "# the same scene\n" + test::periodic_scene;
+    std::ofstream(folder / "long.toml") << test::replaced(test::periodic_scene, "duration = 8", "duration = 80");
+  }
+  SceneLibrary scenes{folder.path()};
+  RecordStore store{folder / "records"};
+
+  std::vector<std::string> missing(const Demand& demand, std::uint64_t release = 0) {
+    std::vector<std::string> labels;
+    for (const RunJob& job : missing_runs(demand, scenes, store, release)) labels.push_back(job.label);
+    return labels;
+  }
+};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(planner, Fixture)
+
+BOOST_AUTO_TEST_CASE(claims_share_runs_and_the_larger_number_counts) {
+  const Claim claim = parse_claim(test::claim_text, "eos.example.toml");
+  Demand demand;
+  add_demand(demand, claim, Tier::quick, 4);
+  add_demand(demand, claim, Tier::full, 8);
+  add_demand(demand, claim, Tier::quick, 8);
+  add_demand(demand, claim, Tier::quick, 4);
+  BOOST_TEST((demand == Demand{{"channel", 8}, {"periodic-nu10", 8}, {"periodic-nu30", 8}}));
+}
+
+BOOST_AUTO_TEST_CASE(long_runs_come_first) {
+  const std::vector<std::string> expected{"long #1", "long #2", "short #1", "short #2"};
+  BOOST_TEST(missing({{"short", 2}, {"long", 2}}) == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_the_store_holds_is_not_run_again) {
+  for (const int replica : {0, 2}) {
+    const SceneFile file = replica_of(scenes.at("short"), replica, 0);
+    store.save(file, test::fake_record(file));
+  }
+  const std::vector<std::string> expected{"short #2", "short #4"};
+  BOOST_TEST(missing({{"short", 4}}) == expected, boost::test_tools::per_element());
+  BOOST_TEST(missing({{"short", 4}}, 17).size() == 4U);  // another release has its own runs
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_record_is_run_again) {
+  const SceneFile file = replica_of(scenes.at("short"), 0, 0);
+  store.save(file, test::fake_record(file));
+  BOOST_TEST(missing({{"short", 1}}).empty());
+  std::filesystem::resize_file(store.path(file), 1000);
+  BOOST_TEST(missing({{"short", 1}}).size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(equal_scenes_under_two_names_are_run_once) {
+  BOOST_TEST(missing({{"short", 3}, {"twin", 4}}).size() == 4U);
+}
+
+// Twice the time, twice the work; a target of collisions counts by itself: 36 disks, 1000 each, two per collision.
+BOOST_AUTO_TEST_CASE(the_expected_work_follows_from_time_or_collisions) {
+  const SceneFile& short_run = scenes.at("short");
+  BOOST_TEST(expected_collisions(scenes.at("long")) == 10 * expected_collisions(short_run),
+             boost::test_tools::tolerance(1e-12));
+  SceneFile counted = short_run;
+  counted.run.duration = 0;
+  counted.run.collisions_per_particle = 1000;
+  BOOST_TEST(expected_collisions(counted) == 18000, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_does_not_exist_is_an_error) { BOOST_CHECK_THROW(scenes.at("none"), StorageError); }
+
+BOOST_AUTO_TEST_SUITE_END()

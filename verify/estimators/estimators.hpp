@@ -1,0 +1,26 @@
+// The functions that turn records into evidence: one for each way of testing a claim.
+#pragma once
+
+#include "verify/evidence.hpp"
+
+namespace gpf {
+
+// Chapter 2: the code itself.
+Evidence estimate_eos_global(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_eos_virial(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_two_codes(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_steady(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_energy(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_tc(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& records);
+
+// Chapter 3: fields and velocity distributions.
+Evidence estimate_smooth_fields(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kurtosis(const Claim& claim, Tier tier, const SceneRecords& records);
+
+// Balances that hold in every steady channel.
+Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_energy_balance(const Claim& claim, Tier tier, const SceneRecords& records);
+
+}  // namespace gpf

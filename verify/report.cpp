@@ -1,0 +1,111 @@
+#include "verify/report.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <vector>
+
+#include "gpf/base/error.hpp"
+#include "gpf/io/atomic_file.hpp"
+#include "gpf/io/plot.hpp"
+#include "verify/report_claim_page.hpp"
+#include "verify/report_front_page.hpp"
+#include "verify/report_pictures.hpp"
+
+namespace gpf {
+namespace {
+
+namespace fs = std::filesystem;
+
+void create(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw StorageError(fmt::format("cannot create '{}'", folder.string()), failure.message(),
+                       "choose another folder with --output");
+}
+
+/// Whether a plot holds anything that can be drawn.
+bool is_drawable(const Plot& plot) {
+  if (plot.series.empty()) return false;
+  try {
+    return !gnuplot_script(plot).empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+class ReportWriter {
+ public:
+  explicit ReportWriter(fs::path output) : output_(std::move(output)) {
+    for (const char* folder : {"claims", "checks"}) create(output_ / folder);
+  }
+
+  void claim(const JudgedClaim& judged) {
+    const std::string& id = judged.claim.id;
+    ClaimPictures pictures;
+    if (const auto picture = checks_picture(judged.verdict)) {
+      pictures.checks = "../" + draw(picture->plot, fmt::format("checks/{}.svg", id));
+      pictures.checks_caption = picture->caption;
+    }
+    // A plot without a single finite number belongs to a claim that failed; its page is wanted all the more.
+    if (is_drawable(judged.verdict.plot)) {
+      draw(judged.verdict.plot, fmt::format("claims/{}.svg", id));
+      pictures.plot = id + ".svg";
+    }
+    write(claim_page(judged, pictures), fmt::format("claims/{}.md", id));
+  }
+
+  fs::path front(const ReportData& data) {
+    std::string link, caption;
+    if (const auto picture = bias_and_scatter(data.claims)) {
+      link = draw(picture->plot, "bias-and-scatter.svg");
+      caption = picture->caption;
+    }
+    return write(front_page(data, link, caption), "README.md");
+  }
+
+  /// What an earlier report wrote and this one did not.
+  void remove_leftovers() const {
+    std::vector<std::string> ids;
+    for (const auto& entry : fs::directory_iterator(output_ / "claims"))
+      if (entry.path().extension() == ".md" && read_text(entry.path()).starts_with(page_marker))
+        ids.push_back(entry.path().stem().string());
+    for (const std::string& id : ids)
+      for (const std::string& name : {"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"})
+        if (!written_.contains(name)) fs::remove(output_ / name);
+    if (!written_.contains("bias-and-scatter.svg")) fs::remove(output_ / "bias-and-scatter.svg");
+  }
+
+ private:
+  std::string draw(const Plot& plot, const std::string& name) {
+    write_svg(plot, output_ / name);
+    written_.insert(name);
+    return name;
+  }
+
+  fs::path write(const std::string& text, const std::string& name) {
+    write_text_atomically(output_ / name, text);
+    written_.insert(name);
+    return output_ / name;
+  }
+
+  fs::path output_;
+  std::set<std::string> written_;
+};
+
+}  // namespace
+
+fs::path write_report(const ReportData& data, const fs::path& output) {
+  ReportWriter writer(output);
+  for (const JudgedClaim& judged : data.claims) writer.claim(judged);
+  const fs::path front = writer.front(data);
+  writer.remove_leftovers();
+  return front;
+}
+
+fs::path write_report(const ReportOptions& options) {
+  return write_report(load_report_data(options.tier, options.store, options.reference), options.output);
+}
+
+}  // namespace gpf

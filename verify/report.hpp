@@ -1,0 +1,28 @@
+// The report of a tier: pages and pictures made from verdicts and records alone.
+#pragma once
+
+#include <filesystem>
+
+#include "verify/claim.hpp"
+#include "verify/report_data.hpp"
+
+namespace gpf {
+
+struct ReportOptions {
+  Tier tier = Tier::quick;
+  std::filesystem::path store = "records", reference = "reference", output = "reports";
+};
+
+/// Writes
+///   <output>/README.md, bias-and-scatter.svg     the front page
+///   <output>/claims/<id>.md, <id>.svg            a page per claim, and the claim's own plot
+///   <output>/checks/<id>.svg                     its checks against their bands
+/// and removes pages of an earlier report whose claim is gone, with their pictures. Runs no physics; equal verdicts and
+/// records give equal bytes. Returns the path of the front page.
+/// Throws what load_report_data throws, and StorageError when a file cannot be written or a picture not be drawn.
+std::filesystem::path write_report(const ReportOptions& options);
+
+/// The same from data at hand.
+std::filesystem::path write_report(const ReportData& data, const std::filesystem::path& output);
+
+}  // namespace gpf

@@ -1,0 +1,36 @@
+// gpf report: pages and pictures from the verdicts of a tier.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "gpf/base/error.hpp"
+#include "verify/commands.hpp"
+#include "verify/report.hpp"
+
+namespace gpf {
+
+void add_report_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<ReportOptions>();
+  auto tier = std::make_shared<std::string>("quick");
+  CLI::App* command = app.add_subcommand("report", "Write the report of a tier from its verdicts; runs no physics");
+  command->add_option("--tier", *tier, "quick, standard or full")
+      ->check(CLI::IsMember({"quick", "standard", "full"}))
+      ->capture_default_str();
+  command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
+  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")
+      ->capture_default_str();
+  command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
+  command->footer(
+      "The last line on standard output is the path of the front page. The exit status is 0 whatever the verdicts "
+      "say.\n"
+      "Example:\n  gpf report\n");
+  command->callback([options, tier, &status] {
+    options->tier = tier_named(*tier);
+    fmt::print("{}\n", write_report(*options).string());
+    status = static_cast<int>(ExitStatus::success);
+  });
+}
+
+}  // namespace gpf

@@ -1,0 +1,49 @@
+// What a report is made of: claims, their verdicts, and facts of the runs that they read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "verify/claim.hpp"
+#include "verify/judge.hpp"
+
+namespace gpf {
+
+/// A claim of the tier with its verdict.
+struct JudgedClaim {
+  Claim claim;
+  Verdict verdict;
+};
+
+/// What a report says of the runs of one scene.
+struct SceneCost {
+  std::set<std::string> records;  ///< their names
+  std::uint64_t collisions = 0;   ///< between disks
+  double cpu_seconds = 0;
+  std::vector<std::string> claims;  ///< ids of those that read them
+};
+
+/// Where and by what the records were made: each line of the provenance with the values that occur.
+using ProvenanceFacts = std::map<std::string, std::set<std::string>>;
+
+struct ReportData {
+  Tier tier = Tier::quick;
+  std::vector<JudgedClaim> claims;          ///< by id
+  std::map<std::string, SceneCost> scenes;  ///< by name
+  ProvenanceFacts provenance;               ///< "version", "commit", "compiler", "flags", "libraries", "cpu", "system"
+  std::set<std::string> dates;              ///< of the runs, "2024-05-06"
+  std::uint64_t collisions = 0;             ///< of all runs, each counted once
+  std::size_t runs = 0;
+  double cpu_seconds = 0;  ///< of all runs, each counted once, and of the estimators
+};
+
+/// Everything of a tier, from <reference>/claims and the store; runs nothing and judges nothing.
+/// Throws InputError when a claim of the tier has no verdict, or one on another text of the claim, another physics
+/// version or other runs, or when a record is gone; StorageError when a file cannot be read.
+ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference);
+
+}  // namespace gpf
