@@ -6,10 +6,12 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/huge_pages.hpp"
 
 namespace gpf {
 
@@ -24,7 +26,7 @@ class CalendarQueue {
     days_per_time_ = std::min(events_per_time, 0x1p40 / horizon);
     const std::size_t slots = std::bit_ceil(std::max<std::size_t>(4 * count, 64));
     mask_ = static_cast<std::int64_t>(slots) - 1;
-    today_ = 0;
+    today_ = foreseen_ = 0;
     scheduled_ = 0;
     front_.assign(slots, -1);
     entries_.assign(count, Entry{});
@@ -32,14 +34,14 @@ class CalendarQueue {
 
   void schedule(Index i, double time) {
     Entry& entry = at(i);
-    if (entry.day >= 0) unlink(entry);
+    if (entry.previous != out) unlink(entry);
     entry.time = time;
-    entry.day = -1;
+    entry.previous = out;
     if (!(time <= horizon_)) return;
-    entry.day = std::max(static_cast<std::int64_t>(time * days_per_time_), today_);
-    Index& front = front_[static_cast<std::size_t>(entry.day & mask_)];
+    const std::int64_t slot = std::max(day(time), today_) & mask_;
+    Index& front = front_of(slot);
     entry.next = front;
-    entry.previous = -1;
+    entry.previous = first_of(slot);
     if (front >= 0) at(front).previous = i;
     front = i;
     ++scheduled_;
@@ -53,8 +55,8 @@ class CalendarQueue {
     for (;; ++today_) {
       Index best = -1;
       double best_time = never;
-      for (Index i = front_[static_cast<std::size_t>(today_ & mask_)]; i >= 0; i = at(i).next)
-        if (at(i).day == today_ &&
+      for (Index i = front_of(today_); i >= 0; i = at(i).next)
+        if (day(at(i).time) <= today_ &&
             (at(i).time < best_time || (at(i).time == best_time && best >= 0 && first(i, best)))) {
           best = i;
           best_time = at(i).time;
@@ -65,13 +67,31 @@ class CalendarQueue {
 
   [[nodiscard]] double time(Index i) const { return entries_[static_cast<std::size_t>(i)].time; }
 
+  /// Names disks whose events are coming (and some others), each first to far(i), later to near(i) and last to
+  /// next(i), so that what they need can be fetched from memory meanwhile.
+  template <class Far, class Near, class Next>
+  void foresee(Far&& far, Near&& near, Next&& next) {
+    for (; foreseen_ < today_; ++foreseen_) {
+      const Index front = front_of(foreseen_ + 40);
+      if (front >= 0) __builtin_prefetch(&at(front));
+      for (Index i = front_of(foreseen_ + 24); i >= 0; i = at(i).next) far(i);
+      for (Index i = front_of(foreseen_ + 12); i >= 0; i = at(i).next) near(i);
+      for (Index i = front_of(foreseen_ + 6); i >= 0; i = at(i).next) next(i);
+    }
+  }
+
  private:
+  static constexpr Index out = std::numeric_limits<Index>::min();  ///< `previous` of one that is not in the calendar
+
   struct Entry {
     double time = never;
-    std::int64_t day = -1;  // -1: not in the calendar
-    Index next = -1, previous = -1;
+    Index next = -1;
+    Index previous = out;  ///< or first_of(slot)
   };
 
+  static Index first_of(std::int64_t slot) { return static_cast<Index>(~slot); }
+  [[nodiscard]] std::int64_t day(double time) const { return static_cast<std::int64_t>(time * days_per_time_); }
+  [[nodiscard]] Index& front_of(std::int64_t day) { return front_[static_cast<std::size_t>(day & mask_)]; }
   Entry& at(Index i) { return entries_[static_cast<std::size_t>(i)]; }
 
   void unlink(const Entry& entry) {
@@ -79,15 +99,15 @@ class CalendarQueue {
     if (entry.previous >= 0)
       at(entry.previous).next = entry.next;
     else
-      front_[static_cast<std::size_t>(entry.day & mask_)] = entry.next;
+      front_of(~entry.previous) = entry.next;
     --scheduled_;
   }
 
   double horizon_ = 0, days_per_time_ = 1;
-  std::int64_t mask_ = 0, today_ = 0;
+  std::int64_t mask_ = 0, today_ = 0, foreseen_ = 0;
   std::size_t scheduled_ = 0;
-  std::vector<Index> front_;
-  std::vector<Entry> entries_;
+  std::vector<Index, HugePages<Index>> front_;
+  std::vector<Entry, HugePages<Entry>> entries_;
 };
 
 }  // namespace gpf

@@ -12,7 +12,9 @@
 
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/huge_pages.hpp"
 #include "gpf/event/lane.hpp"
+#include "gpf/event/near_cells.hpp"
 #include "gpf/scene/scene.hpp"
 
 namespace gpf {
@@ -40,8 +42,8 @@ class Cells {
     rows_ = fit(height, channel_ ? 1 : 3);
     width_ = length / columns_;
     height_ = height / rows_;
-    for (std::size_t block = 0; block < inner_.size(); ++block)
-      inner_[block] = around({1, 1}, static_cast<Block>(block));
+    near_columns_ = {columns_, 1, length};
+    near_rows_ = {rows_, columns_, channel_ ? 0.0 : 1.0};
     clear();
   }
 
@@ -76,6 +78,7 @@ class Cells {
   /// Puts disk i into the cell of `place` and sets its slot.
   void insert(Place& place, Index i, const Flight& flight) {
     std::size_t line = number(place);
+    if (lines_[line].count == lane_width) ++lines_[line].beyond;
     while (lines_[line].count == lane_width) {
       if (lines_[line].more < 0) {
         lines_[line].more = static_cast<Index>(lines_.size());
@@ -97,6 +100,8 @@ class Cells {
     line.flights.x[k] = std::numeric_limits<double>::quiet_NaN();
     line.taken &= static_cast<std::uint8_t>(~(1u << k));
     --line.count;
+    Line& home = lines_[number(place)];
+    if (&home != &line) --home.beyond;
   }
 
   /// When and through which side a disk in free flight leaves its cell.
@@ -108,10 +113,10 @@ class Cells {
 
   [[nodiscard]] Exit exit(const Place& place, const Flight& f) const {
     const bool right = f.vx > 0, up = f.vy > 0;
-    const bool wall = channel_ && place.row == (up ? rows_ - 1 : 0);
-    const double x = (place.column + Index{right}) * width_;
-    const double inner = lower_ + (place.row + Index{up}) * height_, outer = up ? upper_ : lower_;
-    const double y = wall ? outer : inner;
+    const Index edge_x = place.column + Index{right}, edge_y = place.row + Index{up};
+    const double x = edge_x == columns_ ? length_ : edge_x * width_;
+    const double y = edge_y == rows_ ? upper_ : lower_ + edge_y * height_;
+    const bool wall = channel_ && (edge_y == 0 || edge_y == rows_);
     const double flight_x = f.vx != 0 ? std::max((x - f.x) / f.vx, 0.0) : never;
     const double flight_y = f.vy != 0 ? std::max((y - f.y) / f.vy, 0.0) : never;
     const bool sideways = flight_x < flight_y;
@@ -147,49 +152,27 @@ class Cells {
   enum class Block : std::uint8_t { ahead_left, ahead_right, ahead_lower, ahead_upper, all };
   static constexpr Block ahead(Side side) { return static_cast<Block>(side); }
 
+  /// Fetches what for_contacts() will read.
+  void prefetch(const Place& place, Block block) const {
+    const auto [columns, rows] = near(place, block);
+    const Line* const home = &lines_[number(place)];
+    for (std::size_t r = 0; r < rows.count; ++r)
+      for (std::size_t c = 0; c < columns.count; ++c) {
+        const auto* const line = reinterpret_cast<const char*>(&home[rows.offset[r] + columns.offset[c]]);
+        for (std::size_t byte = 0; byte < sizeof(Line); byte += alignof(Line)) __builtin_prefetch(line + byte);
+      }
+  }
+
   /// Calls visit(j, contact) for every disk j of a block of cells around `place` that flight `a` will touch.
   /// All cells are asked first, without a branch on the answer; the few disks that will touch are timed afterwards.
-  template <class Visit>
+  template <bool a_is_latest = false, class Visit>
   void for_contacts(const Place& place, const Flight& a, Block block, const ContactTime& contact_time,
                     Visit&& visit) const {
-    const bool inside = (place.column > 0) & (place.column < columns_ - 1) & (place.row > 0) & (place.row < rows_ - 1);
-    Around edge;
-    if (!inside) [[unlikely]]
-      edge = around(place, block);
-    const Around& cells = inside ? inner_[static_cast<std::size_t>(block)] : edge;
-    const Line* const home = &lines_[number(place)];
-    const auto time_them = [&](const Line& line, unsigned meet, double shift_x, double shift_y) {
-      for (; meet != 0; meet &= meet - 1) {
-        const int k = std::countr_zero(meet);
-        const FlightOf<Lane>& f = line.flights;
-        const Flight other{f.x[k], f.y[k], f.vx[k], f.vy[k], f.time[k]};
-        visit(line.disks[static_cast<std::size_t>(k)],
-              contact_time.contact(contact_time.encounter(a, other, shift_x, shift_y), a.time, other.time));
-      }
-    };
-    std::uint64_t meet = 0;
-    Index more = -1;
-    for (std::size_t c = 0; c < cells.count; ++c) {
-      const Line& line = home[cells.offset[c]];
-      const std::uint64_t answer =
-          bits(contact_time.encounter(a, line.flights, cells.shift_x[c], cells.shift_y[c]).meet());
-      meet |= answer << (lane_width * c);
-      more &= line.more;
-    }
-    for (; meet != 0; meet &= meet - 1) {
-      const auto bit = static_cast<unsigned>(std::countr_zero(meet));
-      const std::size_t c = bit / lane_width;
-      time_them(home[cells.offset[c]], 1u << (bit % lane_width), cells.shift_x[c], cells.shift_y[c]);
-    }
-    if (more == -1) [[likely]]
-      return;
-    for (std::size_t c = 0; c < cells.count; ++c)
-      for (Index next = home[cells.offset[c]].more; next >= 0;) {
-        const Line& line = lines_[static_cast<std::size_t>(next)];
-        const auto encounter = contact_time.encounter(a, line.flights, cells.shift_x[c], cells.shift_y[c]);
-        time_them(line, bits(encounter.meet()), cells.shift_x[c], cells.shift_y[c]);
-        next = line.more;
-      }
+    const auto [columns, rows] = near(place, block);
+    if (columns.count == 1)
+      ask<a_is_latest, 1>(place, a, columns, rows, contact_time, visit);
+    else
+      ask<a_is_latest, 3>(place, a, columns, rows, contact_time, visit);
   }
 
  private:
@@ -199,36 +182,64 @@ class Cells {
     std::array<Index, lane_width> disks{};
     Index more = -1;
     std::uint8_t count = 0, taken = 0;
+    std::uint32_t beyond = 0;  ///< disks of the cell in the lines chained to its first
 
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     static constexpr Lane empty{nan, nan, nan, nan};
   };
 
-  /// The cells of a block: their numbers relative to its centre and the shifts that bring their disks beside it.
-  struct Around {
-    std::size_t count = 0;
-    std::array<std::ptrdiff_t, 9> offset;
-    std::array<double, 9> shift_x, shift_y;
+  struct Near {
+    const NearCells &columns, &rows;
   };
+  [[nodiscard]] Near near(const Place& place, Block block) const {
+    using enum NearCellsOfAxis::Which;
+    static constexpr std::array columns{before, after, both, both, both}, rows{both, both, before, after, both};
+    const auto k = static_cast<std::size_t>(block);
+    return {near_columns_(place.column, columns[k]), near_rows_(place.row, rows[k])};
+  }
 
-  [[nodiscard]] Around around(const Place& place, Block block) const {
-    constexpr std::array<std::array<Index, 4>, 5> extents{
-        {{-1, -1, -1, 1}, {1, 1, -1, 1}, {-1, 1, -1, -1}, {-1, 1, 1, 1}, {-1, 1, -1, 1}}};
-    const auto [left, right, lower, upper] = extents[static_cast<std::size_t>(block)];
-    Around cells;
-    for (Index row = place.row + lower; row <= place.row + upper; ++row) {
-      const Index row_inside = row < 0 ? row + rows_ : row >= rows_ ? row - rows_ : row;
-      if (channel_ && row_inside != row) continue;
-      for (Index column = place.column + left; column <= place.column + right; ++column) {
-        const Index column_inside = column < 0 ? column + columns_ : column >= columns_ ? column - columns_ : column;
-        cells.offset[cells.count] =
-            static_cast<std::ptrdiff_t>(number(column_inside, row_inside)) - static_cast<std::ptrdiff_t>(number(place));
-        cells.shift_x[cells.count] = column == column_inside ? 0 : column < 0 ? -length_ : length_;
-        cells.shift_y[cells.count] = row == row_inside ? 0 : row < 0 ? -1 : 1;
-        ++cells.count;
+  /// for_contacts() of a block `width` cells wide.
+  template <bool a_is_latest, std::size_t width, class Visit>
+  void ask(const Place& place, const Flight& a, const NearCells& columns, const NearCells& rows,
+           const ContactTime& contact_time, Visit&& visit) const {
+    const auto encounter = [&](const Line& line, std::size_t r, std::size_t c) {
+      return contact_time.encounter<a_is_latest>(a, line.flights, columns.shift[c], rows.shift[r]);
+    };
+    const Line* const home = &lines_[number(place)];
+    std::array<const Line*, 9> asked;
+    std::array<Encounter<Lane>, 9> answers;
+    std::uint64_t meet = 0;
+    std::uint32_t beyond = 0;
+    for (std::size_t r = 0; r < rows.count; ++r)
+#pragma GCC unroll 3
+      for (std::size_t c = 0; c < width; ++c) {
+        const std::size_t k = width * r + c;
+        const Line& line = home[rows.offset[r] + columns.offset[c]];
+        asked[k] = &line;
+        answers[k] = encounter(line, r, c);
+        meet |= std::uint64_t{bits(answers[k].meet())} << (lane_width * k);
+        beyond |= line.beyond;
       }
+    const auto time_it = [&](const Line& line, const Encounter<Lane>& e, unsigned k) {
+      const Encounter<double> one{e.rx[k], e.ry[k], e.approach[k], e.discriminant[k]};
+      visit(line.disks[k], contact_time.contact(one, a.time, line.flights.time[k]));
+    };
+    for (; meet != 0; meet &= meet - 1) {
+      const auto bit = static_cast<unsigned>(std::countr_zero(meet));
+      time_it(*asked[bit / lane_width], answers[bit / lane_width], bit % lane_width);
     }
-    return cells;
+    if (beyond == 0) return;
+    for (std::size_t r = 0; r < rows.count; ++r)
+      for (std::size_t c = 0; c < width; ++c) {
+        const Line& first = *asked[width * r + c];
+        for (Index more = first.beyond == 0 ? -1 : first.more; more >= 0;) {
+          const Line& line = lines_[static_cast<std::size_t>(more)];
+          const auto answer = encounter(line, r, c);
+          for (unsigned some = bits(answer.meet()); some != 0; some &= some - 1)
+            time_it(line, answer, static_cast<unsigned>(std::countr_zero(some)));
+          more = line.more;
+        }
+      }
   }
 
   [[nodiscard]] std::size_t number(Index column, Index row) const {
@@ -247,8 +258,8 @@ class Cells {
   double lower_, upper_, length_;
   Index columns_ = 0, rows_ = 0;
   double width_ = 0, height_ = 0;
-  std::array<Around, 5> inner_;  ///< of a place away from the edges
-  std::vector<Line> lines_;
+  NearCellsOfAxis near_columns_, near_rows_;
+  std::vector<Line, HugePages<Line>> lines_;
 };
 
 }  // namespace gpf

@@ -30,14 +30,22 @@ class ContactTime {
   /// `deepest` is the overlap d - |r| (a length) that round-off can explain.
   ContactTime(double diameter, double deepest) : d2_(diameter * diameter), deepest_gap_(-2 * diameter * deepest) {}
 
-  /// b (one disk, or a lane of them) is taken in the image displaced by (shift_x, shift_y).
-  template <class Real>
+  /// b (one disk, or a lane of them) is taken in the image displaced by (shift_x, shift_y). Where `a_is_latest` is
+  /// promised (no b has a later time) its own flight, which has no length, is left out.
+  template <bool a_is_latest = false, class Real>
   [[nodiscard]] Encounter<Real> encounter(const Flight& a, const FlightOf<Real>& b, double shift_x,
                                           double shift_y) const {
-    const Real flight_b = positive_part(a.time - b.time), flight_a = positive_part(b.time - a.time);
+    Real rx = b.x - a.x + shift_x, ry = b.y - a.y + shift_y;
+    if constexpr (a_is_latest) {
+      const Real flight_b = a.time - b.time;
+      rx += b.vx * flight_b;
+      ry += b.vy * flight_b;
+    } else {
+      const Real flight_b = positive_part(a.time - b.time), flight_a = positive_part(b.time - a.time);
+      rx += b.vx * flight_b - a.vx * flight_a;
+      ry += b.vy * flight_b - a.vy * flight_a;
+    }
     const Real ux = b.vx - a.vx, uy = b.vy - a.vy;
-    const Real rx = (b.x - a.x + shift_x) + (b.vx * flight_b - a.vx * flight_a);
-    const Real ry = (b.y - a.y + shift_y) + (b.vy * flight_b - a.vy * flight_a);
     const Real moment = rx * uy - ry * ux;
     return {rx, ry, rx * ux + ry * uy, (ux * ux + uy * uy) * d2_ - moment * moment};
   }

@@ -17,6 +17,7 @@
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
 #include "gpf/event/engine_state.hpp"
+#include "gpf/event/huge_pages.hpp"
 #include "gpf/event/observer.hpp"
 #include "gpf/event/position_grid.hpp"
 #include "gpf/event/rules.hpp"
@@ -74,8 +75,7 @@ class Engine {
     double exit = never;     ///< when it leaves its cell or meets the wall
     double last_contact = -never;
     Index partner = -1;                ///< of the next contact
-    std::uint32_t partner_events = 0;  ///< the partner's `events` when the contact was found
-    std::uint32_t events = 0;          ///< contacts so far: what was predicted at another number is stale
+    std::uint32_t partner_events = 0;  ///< of the partner when the contact was found
     Index id = 0;                      ///< the disk's number in the scene
     Place place;
     Side side = Side::left;  ///< of the exit
@@ -83,6 +83,8 @@ class Engine {
   };
 
   Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
+  /// Contacts of a disk in this epoch: what was predicted at another number is stale.
+  std::uint32_t& events(Index i) { return events_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
   [[nodiscard]] double frame_velocity_at(double t) const { return frame_velocity_ + gravity_ * t; }
 
@@ -95,9 +97,12 @@ class Engine {
   void cross(Index i);
   void enter(Index i);
   [[nodiscard]] std::uint64_t rank(Index i) const;
+  template <bool is_latest>  // whether disk i has just begun its flight: none is later
   void predict(Index i);
+  template <bool is_latest>
   void look(Index i, Cells::Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
+  void foresee();
   void next_epoch();
   void boost(std::vector<Flight>& flights);
   void begin_epoch(const std::vector<Flight>& flights);
@@ -116,7 +121,8 @@ class Engine {
   ContactTime contact_time_;
   Cells cells_;
   Queue queue_;
-  std::vector<Plan> plans_;
+  std::vector<Plan, HugePages<Plan>> plans_;
+  std::vector<std::uint32_t, HugePages<std::uint32_t>> events_;
   std::int64_t epoch_ = 0;
   double now_ = 0;  // within the epoch
   double frame_velocity_ = 0, frame_offset_ = 0;
@@ -135,17 +141,18 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
   for (Index i = queue_.earliest(first); i >= 0 && queue_.time(i) <= until; i = queue_.earliest(first)) {
     if (queue_.time(i) < now_) fail_backwards(i);
     now_ = queue_.time(i);
+    foresee();
     Plan& mine = plan(i);
     if (mine.exit < mine.contact) {
       if (mine.wall)
         bounce(i, mine.exit, observer);
       else
         cross(i);
-    } else if (plan(mine.partner).events == mine.partner_events) {
+    } else if (events(mine.partner) == mine.partner_events) {
       collide(i, mine.partner, mine.contact, observer);
     } else {
       ++counts_.stale;
-      predict(i);
+      predict<false>(i);
     }
   }
   now_ = until;
@@ -157,9 +164,9 @@ template <class Queue, class Physics>
 std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
   const Plan& mine = plans_[static_cast<std::size_t>(i)];
   if (mine.exit < mine.contact) return mine.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
-  const Plan& other = plans_[static_cast<std::size_t>(mine.partner)];
-  if (other.events != mine.partner_events) return 0;
-  const auto [low, high] = std::minmax(mine.id, other.id);
+  const auto partner = static_cast<std::size_t>(mine.partner);
+  if (events_[partner] != mine.partner_events) return 0;
+  const auto [low, high] = std::minmax(mine.id, plans_[partner].id);
   return (static_cast<std::uint64_t>(low) << 32) + static_cast<std::uint64_t>(high);
 }
 
@@ -178,7 +185,7 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
   b.vx += outcome.impulse.x, b.vy += outcome.impulse.y;
   cells_.set(mine.place.slot, a);
   cells_.set(other.place.slot, b);
-  ++mine.events, ++other.events;
+  ++events(i), ++events(j);
   mine.last_contact = other.last_contact = t;
   trace_.add(epoch_, t, mine.id, other.id);
   deepest_ = std::max(deepest_, square(scene_.diameter()) - dot(r_12, r_12));
@@ -193,8 +200,8 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
                                {b.vx + frame, b.vy},
                                outcome.impulse,
                                outcome.energy_loss});
-  predict(i);
-  predict(j);
+  predict<true>(i);
+  predict<true>(j);
 }
 
 template <class Queue, class Physics>
@@ -209,12 +216,12 @@ void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
   const Vec2 after = physics_.wall(before, wall, t - mine.last_contact);
   a.vx = after.x - frame, a.vy = after.y;
   cells_.set(mine.place.slot, a);
-  ++mine.events;
+  ++events(i);
   mine.last_contact = t;
   trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
   ++counts_.wall_contacts;
   observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
-  predict(i);
+  predict<true>(i);
 }
 
 /// Moves the disk into the next cell and looks at the cells that came into reach - or, when the contact that it knew of
@@ -224,8 +231,8 @@ void Engine<Queue, Physics>::cross(Index i) {
   ++counts_.crossings;
   Plan& mine = plan(i);
   if (cells_.cross(mine.place, i, mine.side)) return enter(i);
-  if (mine.partner >= 0 && plan(mine.partner).events != mine.partner_events) return predict(i);
-  look(i, Cells::ahead(mine.side));
+  if (mine.partner >= 0 && events(mine.partner) != mine.partner_events) return predict<false>(i);
+  look<false>(i, Cells::ahead(mine.side));
 }
 
 /// A disk that goes round the box begins a new flight where it enters, because coordinates far outside would not be
@@ -237,33 +244,41 @@ void Engine<Queue, Physics>::enter(Index i) {
   const double x = mine.side == Side::left ? length_ : 0, y = mine.side == Side::lower ? 1 : 0;
   const bool sideways = mine.side == Side::left || mine.side == Side::right;
   cells_.set(mine.place.slot, flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy)));
-  ++mine.events;
-  predict(i);
+  ++events(i);
+  predict<false>(i);
 }
 
 // ---- prediction ----
 
 template <class Queue, class Physics>
+template <bool is_latest>
 void Engine<Queue, Physics>::predict(Index i) {
   plan(i).contact = never;
   plan(i).partner = -1;
-  look(i, Cells::Block::all);
+  look<is_latest>(i, Cells::Block::all);
 }
 
 /// Schedules the earliest of the contact known, the contacts with disks of the block of cells (equal times: the lower
 /// number first) and the exit from the cell.
 template <class Queue, class Physics>
+template <bool is_latest>
 void Engine<Queue, Physics>::look(Index i, Cells::Block block) {
   Plan& mine = plan(i);
   const Flight flight = cells_.flight(mine.place.slot);
-  cells_.for_contacts(mine.place, flight, block, contact_time_, [&](Index j, ContactTime::Contact contact) {
-    if (contact.overlap) fail_overlap(i, j);
-    if (contact.time > mine.contact || contact.time > plan(j).contact) return;  // the partner will collide before
-    if (contact.time == mine.contact && mine.partner >= 0 && plan(mine.partner).id < plan(j).id) return;
-    mine.contact = contact.time;
-    mine.partner = j;
-  });
-  if (mine.partner >= 0) mine.partner_events = plan(mine.partner).events;
+  double earliest = mine.contact;
+  Index partner = mine.partner;
+  cells_.template for_contacts<is_latest>(
+      mine.place, flight, block, contact_time_, [&](Index j, ContactTime::Contact contact) {
+        if (contact.overlap) [[unlikely]]
+          fail_overlap(i, j);
+        if (contact.time > earliest || contact.time > plan(j).contact) return;  // the partner will collide before
+        if (contact.time == earliest && partner >= 0 && plan(partner).id < plan(j).id) return;
+        earliest = contact.time;
+        partner = j;
+      });
+  mine.contact = earliest;
+  mine.partner = partner;
+  if (mine.partner >= 0) mine.partner_events = events(mine.partner);
   const auto exit = cells_.exit(mine.place, flight);
   mine.exit = exit.time;
   mine.side = exit.side;
@@ -276,6 +291,20 @@ template <class Queue, class Physics>
 Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
   const double lapse = t - f.time;
   return {f.x + grid_.round(f.vx * lapse), f.y + grid_.round(f.vy * lapse), f.vx, f.vy, t};
+}
+
+/// Asks for the memory that the coming events will read: it takes longer to come than many events last.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::foresee() {
+  const auto will_collide = [](const Plan& plan) { return plan.partner >= 0 && plan.contact <= plan.exit; };
+  queue_.foresee([&](Index i) { __builtin_prefetch(&plan(i)); },
+                 [&](Index i) {
+                   cells_.prefetch(plan(i).place, Cells::Block::all);
+                   if (will_collide(plan(i))) __builtin_prefetch(&plan(plan(i).partner));
+                 },
+                 [&](Index i) {
+                   if (will_collide(plan(i))) cells_.prefetch(plan(plan(i).partner).place, Cells::Block::all);
+                 });
 }
 
 // ---- epochs ----
@@ -328,8 +357,9 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   now_ = 0;
   events_before_ = counts_.examined();
   settle(flights);
+  events_.assign(plans_.size(), 0);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
-  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict(i);
+  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict<true>(i);
 }
 
 /// Puts the disks into their cells, and what is known of neighbours beside each other in memory: disks are renumbered
@@ -343,7 +373,7 @@ void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
   }
   for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
   cells_.clear();
-  std::vector<Plan> plans(plans_.size());
+  std::vector<Plan, HugePages<Plan>> plans(plans_.size());
   for (std::size_t k = 0; k < plans_.size(); ++k) {
     const std::size_t i = first[cells_.number(plans_[k].place)]++;
     plans[i] = plans_[k];

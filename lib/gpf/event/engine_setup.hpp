@@ -16,7 +16,7 @@ double Engine<Queue, Physics>::epoch_length(const Scene& scene) {
 namespace detail {
 
 /// Measured optimum on N = 10^3 ... 10^6 (tests/performance): large cells when dilute, small ones when dense.
-inline double best_disks_per_cell(double area_fraction) { return std::clamp(0.9 / std::sqrt(area_fraction), 1.0, 4.0); }
+inline double best_disks_per_cell(double area_fraction) { return std::clamp(0.9 / std::sqrt(area_fraction), 1.0, 2.0); }
 
 }  // namespace detail
 

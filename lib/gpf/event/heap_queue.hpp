@@ -38,6 +38,10 @@ class HeapQueue {
 
   [[nodiscard]] double time(Index i) const { return time_[slot(i)]; }
 
+  /// Foresees nothing: what comes after the earliest is not in order here.
+  template <class Far, class Near, class Next>
+  void foresee(Far&&, Near&&, Next&&) const {}
+
  private:
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] bool before(std::size_t a, std::size_t b) const { return time(heap_[a]) < time(heap_[b]); }

@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(a_complete_file_is_read) {
 
 BOOST_AUTO_TEST_CASE(any_change_of_the_text_changes_its_hash) {
   const std::string other = replaced(claim_text, "measured with 4 N", "measured with 8 N");
-  BOOST_TEST(parse_claim(claim_text, "eos.example.toml").text_hash == parse_claim(claim_text, "eos.example.toml").text_hash);
+  BOOST_TEST(parse_claim(claim_text, "eos.example.toml").text_hash ==
+             parse_claim(claim_text, "eos.example.toml").text_hash);
   BOOST_TEST(parse_claim(claim_text, "eos.example.toml").text_hash != parse_claim(other, "eos.example.toml").text_hash);
 }
 
@@ -108,7 +109,8 @@ const std::vector<Mistake> mistakes{
     {"quick = 4\n", "quick = \"many\"\n", "quick is a string (it must be an integer)"},
     {"quick = 4\n", "", "[replicas] has no entry for quick or below"},
     {"[replicas]\nquick = 4\nstandard = 16\n", "", "replicas is missing"},
-    {"[scenes]\nquick = [\"periodic-nu10\", \"periodic-nu30\"]\nfull = [\"channel\"]\n", "", "[replicas] without [scenes]"},
+    {"[scenes]\nquick = [\"periodic-nu10\", \"periodic-nu30\"]\nfull = [\"channel\"]\n", "",
+     "[replicas] without [scenes]"},
     {"value = 0.001", "value = -0.001", "tolerance 'finite N' = -0.001 is negative"},
     {"value = 0.001", "value = inf", "value = inf is not a finite number"},
     {"value = 0.001", "value = \"small\"", "value is a string (it must be a number)"},
@@ -116,25 +118,33 @@ const std::vector<Mistake> mistakes{
     {"evidence = \"measured with 4 N\"", "evidence = \"\"", "evidence is empty"},
     {"name = \"finite N\"", "name = \"reference\"", "tolerance 'reference' is given twice"},
     {"name = \"finite N\"", "label = \"finite N\"", "unknown key 'label' in [[tolerance]]"},
-    {test::tolerances, "tolerance = [1]\n", "tolerance holds an integer"},
-    {test::tolerances, "tolerance = 0.1\n", "tolerance is a real number (it must be an array of tables)"},
     {test::tolerances, "", "tolerance_unit without [[tolerance]]"},
     {"whole = 3", "whole = true", "whole is true or false (it must be a number)"},
     {"whole = 3", "whole = nan", "whole = nan is not a finite number"},
-    {"[parameters]\n", "parameters = 3\n", "parameters is an integer (it must be a table)"},
     {"chapter = 2", "chapter = [(", "this is not TOML"},
 };
 
+void is_refused(const std::string& text, const std::string& message) {
+  BOOST_CHECK_EXCEPTION(parse_claim(text, "claims/eos.example.toml"), InputError, [&](const InputError& error) {
+    const std::string what = error.what();
+    BOOST_TEST(what.starts_with("claims/eos.example.toml:"), what);
+    BOOST_TEST(what.find(message) != std::string::npos, what << " does not say: " << message);
+    return true;
+  });
+}
+
 BOOST_AUTO_TEST_CASE(a_mistake_is_an_error_with_its_place) {
-  for (const Mistake& mistake : mistakes) {
-    const std::string text = replaced(claim_text, mistake.from, mistake.to);
-    BOOST_CHECK_EXCEPTION(parse_claim(text, "claims/eos.example.toml"), InputError, [&](const InputError& error) {
-      const std::string what = error.what();
-      BOOST_TEST(what.starts_with("claims/eos.example.toml:"), what);
-      BOOST_TEST(what.find(mistake.message) != std::string::npos, what << " does not say: " << mistake.message);
-      return true;
-    });
-  }
+  for (const Mistake& mistake : mistakes) is_refused(replaced(claim_text, mistake.from, mistake.to), mistake.message);
+}
+
+BOOST_AUTO_TEST_CASE(tables_must_be_tables) {
+  const std::string plain =
+      replaced(replaced(claim_text, test::tolerances, ""), "tolerance_unit = \"relative\"\n", "");
+  is_refused("tolerance = [1]\n" + plain, "tolerance holds an integer");
+  is_refused("tolerance = 0.1\n" + plain, "tolerance is a real number (it must be an array of tables)");
+  is_refused("parameters = 3\n" + plain.substr(0, plain.find("[parameters]")),
+             "parameters is an integer (it must be a table)");
+  is_refused("replicas = 4\n" + replaced(plain, test::scenes_and_replicas, ""), "[replicas] without [scenes]");
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_of_claims_is_read_in_order_of_their_ids) {

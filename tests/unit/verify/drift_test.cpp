@@ -19,8 +19,7 @@ Replicas series(std::size_t replicas, std::size_t blocks, double tau, std::mt199
   Replicas result;
   for (std::size_t r = 0; r < replicas; ++r) {
     auto& s = result.emplace_back();
-    for (double x = normal(generator); s.size() < blocks;
-         x = rho * x + std::sqrt(1 - rho * rho) * normal(generator))
+    for (double x = normal(generator); s.size() < blocks; x = rho * x + std::sqrt(1 - rho * rho) * normal(generator))
       s.push_back(x);
   }
   return result;
@@ -79,7 +78,8 @@ BOOST_AUTO_TEST_CASE(stationary_series_raise_false_alarms_at_the_stated_rate) {
 }
 
 // The end of a transient in the window: a fall by five standard deviations of a block with a time of an eighth of the
-// window. Its part in the first quarter's mean is 5 x (1/2)(1 - e^-2) = 2.2, against an error of (1/sqrt(16)) sqrt(4/3)/2.
+// window. Its part in the first quarter's mean is 5 x (1/2)(1 - e^-2) = 2.2, against an error of (1/sqrt(16))
+// sqrt(4/3)/2.
 BOOST_AUTO_TEST_CASE(a_start_up_that_was_not_discarded_is_seen) {
   std::mt19937_64 generator(11);
   for (int e = 0; e < 100; ++e) {

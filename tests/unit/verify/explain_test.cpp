@@ -11,10 +11,11 @@ BOOST_AUTO_TEST_SUITE(explain_a_claim)
 BOOST_AUTO_TEST_CASE(everything_that_a_reviewer_asks_for_is_there) {
   const std::string text = explain(parse_claim(test::claim_text, "eos.example.toml"));
   for (const std::string expected :
-       {"eos.example - Pressure\n", "chapter 2, fig. 2.8", "Z is Luding's", "Z from the virial, corrected to infinite N.",
-        "zero-crossing", "refuted: the equation is 2 % off there", "table 1", "measured with 4 N", "highest_area_fraction = 0.4",
-        "periodic-nu10, periodic-nu30; looks at 4 replica(s)", "looks at 4, 8, 16 replica(s)", "restitution applied twice",
-        "g off by 2 %", "gpf validate eos.example"})
+       {"eos.example - Pressure\n", "chapter 2, fig. 2.8", "Z is Luding's",
+        "Z from the virial, corrected to infinite N.", "zero-crossing", "refuted: the equation is 2 % off there",
+        "table 1", "measured with 4 N", "highest_area_fraction = 0.4",
+        "periodic-nu10, periodic-nu30; looks at 4 replica(s)", "looks at 4, 8, 16 replica(s)",
+        "restitution applied twice", "g off by 2 %", "gpf validate eos.example"})
     BOOST_TEST(text.find(expected) != std::string::npos, "missing: " << expected);
   // The budget adds up where a reader sees it.
   BOOST_TEST(text.find("  reference       0.002  table 1\n"

@@ -98,7 +98,8 @@ BOOST_AUTO_TEST_CASE(a_verdict_on_other_runs_is_stale) {
 }
 
 BOOST_AUTO_TEST_CASE(a_changed_scene_makes_the_verdict_stale) {
-  write_text_atomically(folder / "scenes/alpha.toml", test::replaced(test::periodic_scene, "duration = 8", "duration = 9"));
+  write_text_atomically(folder / "scenes/alpha.toml",
+                        test::replaced(test::periodic_scene, "duration = 8", "duration = 9"));
   finds_only("claim one: its verdict is stale");
 }
 

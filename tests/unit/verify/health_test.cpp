@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(many_scenes_raise_no_more_false_alarms_than_one) {
     SceneRecords records;
     for (int scene = 0; scene < 4; ++scene)
       records["scene " + std::to_string(scene)] =
-          records_of(test::channel_scene, 4, 32, test::steady, 10 * claim + static_cast<std::uint64_t>(scene)).at("scene");
+          records_of(test::channel_scene, 4, 32, test::steady, 10 * claim + static_cast<std::uint64_t>(scene))
+              .at("scene");
     alarms += !passes(records, "steady");
   }
   BOOST_TEST(alarms <= 11);
@@ -131,8 +132,6 @@ BOOST_AUTO_TEST_CASE(overlaps_and_lost_energy_are_found) {
   BOOST_TEST(!passes(records, "energy"));
 }
 
-BOOST_AUTO_TEST_CASE(a_claim_without_runs_has_nothing_to_check) {
-  BOOST_TEST(check_records({}, {}, true).empty());
-}
+BOOST_AUTO_TEST_CASE(a_claim_without_runs_has_nothing_to_check) { BOOST_TEST(check_records({}, {}, true).empty()); }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -32,8 +32,9 @@ Rates measure(double truth, Interval band, int cap, std::size_t checks = 1, int 
     for (std::size_t look = 0; look < looks.size() && outcome == Outcome::inconclusive; ++look) {
       for (Check& c : evidence.checks)
         while (c.values.size() < static_cast<std::size_t>(looks[look])) c.values.push_back(normal(generator));
-      outcome = judge({}, Tier::quick, evidence, looks[look], static_cast<int>(look) + 1, static_cast<int>(looks.size()))
-                    .outcome;
+      outcome =
+          judge({}, Tier::quick, evidence, looks[look], static_cast<int>(look) + 1, static_cast<int>(looks.size()))
+              .outcome;
     }
     rates.pass += (outcome == Outcome::pass) / static_cast<double>(experiments);
     rates.fail += (outcome == Outcome::fail) / static_cast<double>(experiments);

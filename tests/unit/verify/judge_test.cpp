@@ -55,12 +55,12 @@ BOOST_AUTO_TEST_CASE(looks_double_from_four_up_to_the_cap) {
 BOOST_AUTO_TEST_CASE(the_interval_decides_between_pass_fail_and_neither) {
   const Interval band{-1, 1};
   const auto outcome = [&](double mean, double s) { return judge_once({check_of(four_about(mean, s), band)}).outcome; };
-  BOOST_CHECK(outcome(0, 0.43) == Outcome::pass);           // +-0.976
-  BOOST_CHECK(outcome(0, 0.45) == Outcome::inconclusive);   // +-1.022
-  BOOST_CHECK(outcome(0.9, 0.04) == Outcome::pass);         // up to 0.991
-  BOOST_CHECK(outcome(0.9, 0.05) == Outcome::inconclusive); // up to 1.014
-  BOOST_CHECK(outcome(1.1, 0.04) == Outcome::fail);         // from 1.009
-  BOOST_CHECK(outcome(1.1, 0.05) == Outcome::inconclusive); // from 0.986
+  BOOST_CHECK(outcome(0, 0.43) == Outcome::pass);            // +-0.976
+  BOOST_CHECK(outcome(0, 0.45) == Outcome::inconclusive);    // +-1.022
+  BOOST_CHECK(outcome(0.9, 0.04) == Outcome::pass);          // up to 0.991
+  BOOST_CHECK(outcome(0.9, 0.05) == Outcome::inconclusive);  // up to 1.014
+  BOOST_CHECK(outcome(1.1, 0.04) == Outcome::fail);          // from 1.009
+  BOOST_CHECK(outcome(1.1, 0.05) == Outcome::inconclusive);  // from 0.986
   BOOST_CHECK(outcome(-1.1, 0.04) == Outcome::fail);
 }
 

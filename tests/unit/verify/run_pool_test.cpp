@@ -53,7 +53,8 @@ struct Fixture {
   }
 
   [[nodiscard]] bool holds(const std::vector<RunJob>& wanted) const {
-    return std::all_of(wanted.begin(), wanted.end(), [this](const RunJob& j) { return store.load(j.file).has_value(); });
+    return std::all_of(wanted.begin(), wanted.end(),
+                       [this](const RunJob& j) { return store.load(j.file).has_value(); });
   }
 };
 
@@ -141,7 +142,9 @@ BOOST_AUTO_TEST_CASE(a_stopped_pool_keeps_checkpoints_and_goes_on_from_them) {
   const PoolResult stopped = run_pool(store, jobs(3), options);
   BOOST_TEST(stopped.stopped);
   BOOST_TEST(stopped.failures.empty());
-  const auto checkpoint = [this](int r) { return store.path(jobs(3)[static_cast<std::size_t>(r)].file).string() + ".checkpoint"; };
+  const auto checkpoint = [this](int r) {
+    return store.path(jobs(3)[static_cast<std::size_t>(r)].file).string() + ".checkpoint";
+  };
   BOOST_TEST(std::filesystem::exists(checkpoint(0)));
   BOOST_TEST(std::filesystem::exists(checkpoint(1)));
   BOOST_TEST(!std::filesystem::exists(checkpoint(2)));  // never started

@@ -60,7 +60,9 @@ struct Suite {
         << "kind = \"band\"\nexpected = \"" << expected << "\"\n"
         << (expected == "reproduced" ? "" : "expected_because = \"seen\"\n")
         << "estimator = \"mean_virial\"\ncatches = [\"a fault\"]\n"
-        << "[scenes]\n" << tier << " = [\"" << scene << "\"]\n[replicas]\n" << tier << " = " << replicas << "\n"
+        << "[scenes]\n"
+        << tier << " = [\"" << scene << "\"]\n[replicas]\n"
+        << tier << " = " << replicas << "\n"
         << "[parameters]\nlo = " << lo << "\nhi = " << hi << "\n";
   }
 
@@ -74,9 +76,7 @@ struct Suite {
     return std::filesystem::exists(folder / "log") ? read_text(folder / "log").size() : 0;
   }
 
-  [[nodiscard]] Verdict verdict(const std::string& id) const {
-    return read_verdict(options.store, options.tier, id);
-  }
+  [[nodiscard]] Verdict verdict(const std::string& id) const { return read_verdict(options.store, options.tier, id); }
   [[nodiscard]] bool has_verdict(const std::string& id) const {
     return std::filesystem::exists(verdict_path(options.store, options.tier, id));
   }

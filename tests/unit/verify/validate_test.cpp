@@ -143,9 +143,8 @@ BOOST_AUTO_TEST_CASE(a_stop_ends_with_its_own_status) {
 BOOST_AUTO_TEST_CASE(unknown_claims_are_named_with_the_nearest_known_one) {
   claim("inside", 9, 11);
   options.claims = {"insider"};
-  BOOST_CHECK_EXCEPTION(validate(options), InputError, [](const InputError& error) {
-    return error.remedy() == "did you mean 'inside'?";
-  });
+  BOOST_CHECK_EXCEPTION(validate(options), InputError,
+                        [](const InputError& error) { return error.remedy() == "did you mean 'inside'?"; });
 }
 
 BOOST_AUTO_TEST_CASE(a_claim_of_a_higher_tier_is_left_out_and_refused_by_name) {
@@ -183,7 +182,8 @@ BOOST_AUTO_TEST_CASE(a_fail_with_fresh_seeds_gets_one_confirmation_run) {
   const Verdict v = verdict("outside");
   BOOST_TEST(v.release_seed == mix(5));
   BOOST_REQUIRE(!v.notes.empty());
-  BOOST_TEST(v.notes.back().starts_with("Confirmation run with new seeds; with release seed 5 it failed: virial of alpha"));
+  BOOST_TEST(
+      v.notes.back().starts_with("Confirmation run with new seeds; with release seed 5 it failed: virial of alpha"));
   BOOST_TEST(verdict("outside.refuted").release_seed == 5U);
 }
 
@@ -197,7 +197,8 @@ BOOST_AUTO_TEST_CASE(a_fail_that_is_not_confirmed_is_a_pass) {
     unlucky.push_back(replica_of(parse_scene(test::periodic_scene, "alpha"), r, 5).scene.seed);
   options.run = [unlucky](const SceneFile& file, const SimulationOptions&) {
     const bool off = std::count(unlucky.begin(), unlucky.end(), file.scene.seed) > 0;
-    return test::fake_record(file, 64, [off](std::size_t, std::size_t, double noise) { return (off ? 20 : 10) + noise; });
+    return test::fake_record(file, 64,
+                             [off](std::size_t, std::size_t, double noise) { return (off ? 20 : 10) + noise; });
   };
   BOOST_TEST(validate(options) == 0);
   BOOST_CHECK(verdict("inside").outcome == Outcome::pass);

@@ -66,12 +66,12 @@ BOOST_AUTO_TEST_CASE(exact_unmeasured_and_missing_checks_have_words) {
 
 BOOST_AUTO_TEST_CASE(a_band_that_is_hardly_used_is_reported) {
   const auto note = [](std::vector<Check> checks) { return unused_tolerance(judged(std::move(checks)).checks); };
-  BOOST_TEST(!note({{"a", about(0), {-3, 3}}}).empty());                            // 0.227/3 = 7.6 %
-  BOOST_TEST(note({{"a", about(0), {-2, 2}}}).empty());                             // 11 %
-  BOOST_TEST(note({{"a", about(0.2), {-3, 3}}}).empty());                           // 14 %
-  BOOST_TEST(note({{"a", about(0), {-3, 3}}, {"b", about(0), {-1, 1}}}).empty());   // one of them uses its own
-  BOOST_TEST(note({{"a", about(9), {0, infinity}}}).empty());                       // an inequality
-  BOOST_TEST(note({{"a", about(0), {-3, 3}}, {"b", about(9), {-1, 1}}}).empty());   // a fail: no advice
+  BOOST_TEST(!note({{"a", about(0), {-3, 3}}}).empty());                           // 0.227/3 = 7.6 %
+  BOOST_TEST(note({{"a", about(0), {-2, 2}}}).empty());                            // 11 %
+  BOOST_TEST(note({{"a", about(0.2), {-3, 3}}}).empty());                          // 14 %
+  BOOST_TEST(note({{"a", about(0), {-3, 3}}, {"b", about(0), {-1, 1}}}).empty());  // one of them uses its own
+  BOOST_TEST(note({{"a", about(9), {0, infinity}}}).empty());                      // an inequality
+  BOOST_TEST(note({{"a", about(0), {-3, 3}}, {"b", about(9), {-1, 1}}}).empty());  // a fail: no advice
   const Verdict v = judged({{"a", about(0), {-3, 3}}});
   BOOST_TEST(v.notes.size() == 1U);
 }
