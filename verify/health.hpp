@@ -18,7 +18,7 @@ inline constexpr std::size_t fewest_blocks_of_a_steady_run = 32;
 /// Deepest overlap in diameters, and imbalance of the energy budget over the measured window in units of the energy
 /// that turned over. Both are round-off, far below these limits, unless an event was missed or resolved wrongly.
 inline constexpr double deepest_healthy_overlap = 1e-12;
-inline constexpr double largest_healthy_imbalance = 1e-9;
+inline constexpr double largest_healthy_imbalance = 1e-12;
 
 /// The checks that hold for every record of a claim; each is one line, with its most extreme case in `detail`.
 ///

@@ -18,6 +18,12 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 extern "C" void stop_validation(int) { stop_requested = 1; }
 
+/// Signals that ask a program to end, the one from a terminal that closes unless it is ignored (nohup).
+void listen_to_signals() {
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, stop_validation);
+  if (std::signal(SIGHUP, stop_validation) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 int pass_gate(const ValidateOptions& options) {
   const auto findings = gate_findings({options.tier, options.store, options.reference, program_hash()});
   for (const std::string& finding : findings) fmt::print("{}\n", finding);
@@ -62,7 +68,7 @@ void add_validate_command(CLI::App& app, int& status) {
     options->tier = tier_named(*tier);
     options->stop = &stop_requested;
     options->command = {"gpf", "validate", "--tier", *tier};
-    for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, stop_validation);
+    listen_to_signals();
     status = *gate ? pass_gate(*options) : validate(*options);
   });
 }

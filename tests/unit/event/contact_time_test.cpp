@@ -171,6 +171,19 @@ BOOST_AUTO_TEST_CASE(who_is_named_first_does_not_matter_to_the_bit) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_disk_known_to_be_the_latest_gets_the_same_bits) {
+  for (std::uint64_t k = 0; k < 20000; ++k) {
+    Flight a = random_flight(2 * k, 2), b = random_flight(2 * k + 1, 2);
+    a.time = k % 5 == 0 ? b.time : std::max(a.time, b.time);
+    const Encounter<double> e = contact_time.encounter(a, b, 1.3, -1);
+    const Encounter<double> f = contact_time.encounter<true>(a, b, 1.3, -1);
+    BOOST_REQUIRE(e.rx == f.rx);
+    BOOST_REQUIRE(e.ry == f.ry);
+    BOOST_REQUIRE(same_bits(e.approach, f.approach));
+    BOOST_REQUIRE(same_bits(e.discriminant, f.discriminant));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(mirrored_pairs_meet_at_the_same_time_to_the_bit) {
   for (std::uint64_t k = 0; k < 20000; ++k) {
     Flight a = random_flight(2 * k, 2), b = random_flight(2 * k + 1, 2);

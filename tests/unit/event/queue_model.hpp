@@ -42,6 +42,9 @@ class QueueModel {
   Index earliest() {
     const Index expected = model_.empty() ? -1 : -model_.begin()->second;
     const Index found = test::earliest(queue_);
+    // What it foresees must exist and may change nothing.
+    const auto named = [this](Index i) { BOOST_REQUIRE((i >= 0 && i < static_cast<Index>(count_))); };
+    queue_.foresee(named, named, named);
     BOOST_REQUIRE(found == expected);
     if (found >= 0) BOOST_REQUIRE(queue_.time(found) == model_.begin()->first);
     return found;
