@@ -1,6 +1,7 @@
 // algo.energy: what elastic contacts and gravity conserve, they conserve to round-off.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gpf/measure/tallies.hpp"
@@ -85,18 +86,21 @@ Evidence estimate_energy(const Claim& claim, Tier, const SceneRecords& records) 
     }
     for (const Record& r : replicas) {
       points.x.push_back(++number);
-      points.y.push_back(r.scene.gravity == 0 ? energy_drift(r) : final_energy_error(r));
+      // No error at all is drawn at the resolution of a double.
+      points.y.push_back(std::max(std::abs(r.scene.gravity == 0 ? energy_drift(r) : final_energy_error(r)), 0x1p-53));
     }
   }
+  const std::vector<double> ends{0, number + 1};
   evidence.plot = {.title = "Relative error of the energy after the whole run",
                    .xlabel = "run",
-                   .ylabel = "relative error",
-                   .xrange = {{0, number + 1}},
-                   .series = {{.label = "band",
+                   .ylabel = "size of the relative error",
+                   .logy = true,
+                   .xrange = {{ends[0], ends[1]}},
+                   .yrange = {{1e-17, 10 * round_off.hi}},
+                   .series = {{.label = "allowed",
                                .style = SeriesStyle::band,
-                               .x = {0, number + 1},
-                               .y = {0, 0},
-                               .lower = {round_off.lo, round_off.lo},
+                               .x = ends,
+                               .lower = {1e-17, 1e-17},
                                .upper = {round_off.hi, round_off.hi}},
                               points}};
   evidence.notes = {

@@ -54,93 +54,101 @@ void compare_with_kolafa_rottner(const Claim& claim, Tier tier, const SceneValue
                              .x = nu});
 }
 
-Series line(std::string label) { return {.label = std::move(label), .style = SeriesStyle::line}; }
-
 /// The plot of both claims: deviations from the reference in per cent.
 struct DeviationPlot {
   Series points{.label = "gpf, mean and standard error over replicas"};
   Series band{.label = "band of the claim", .style = SeriesStyle::band};
+  Series fluid{.label = "Kolafa and Rottner", .style = SeriesStyle::line};
 
-  void add(double nu, const std::vector<double>& values, Interval limits) {
+  void add_measured(double nu, const std::vector<double>& values) {
     add_point(points, nu, values);
     points.y.back() *= 100;
     points.yerr.back() *= 100;
+  }
+  void add_reference(double nu, double reference, Interval limits) {
     band.x.push_back(nu);
     band.y.push_back(0);
     band.lower.push_back(100 * limits.lo);
     band.upper.push_back(100 * limits.hi);
+    if (nu > kolafa_rottner_limit) return;
+    fluid.x.push_back(nu);
+    fluid.y.push_back(100 * (kolafa_rottner(nu) / reference - 1));
   }
-  [[nodiscard]] Plot plot(std::string title, std::string ylabel, Series other) const {
+  [[nodiscard]] Plot plot(std::string title, std::string ylabel) const {
     return {.title = std::move(title),
             .xlabel = "area fraction",
             .ylabel = std::move(ylabel),
-            .series = {band, std::move(other), points}};
+            .series = {band, fluid, points}};
   }
 };
+
+/// Calls visit(nu) in steps fine enough for a curve, from 0 to beyond the densest scene.
+template <class F>
+void along_density(const std::vector<SceneValues>& scenes, F&& visit) {
+  const double last = scenes.empty() ? 0 : scenes.back().scene().area_fraction() + 0.015;
+  for (int k = 1; 0.0025 * k < last; ++k) visit(0.0025 * k);
+}
+
+/// Half width of the band about Luding's equation.
+double luding_margin(const Claim& claim, double nu) {
+  const bool transition = nu > claim.parameter("transition_from") && nu < claim.parameter("transition_to");
+  return claim.tolerance_total() + (transition ? claim.parameter("transition_error") : 0);
+}
+
+/// The band about the virial series. Terms left out: like a geometric series with the ratio of the last two known.
+Interval virial_band(const Claim& claim, double nu) {
+  const auto& b = virial_coefficients();
+  const double ratio = b[9].value / b[8].value * nu;
+  const double tail = b[9].value * std::pow(nu, 9) * ratio / (1 - ratio) / virial_series(nu);
+  return {-claim.tolerance_total(), claim.tolerance_total() + tail};
+}
+
+const char* const definition =
+    "Z is p A/(N T) from the virial of the contacts, T = kinetic energy/(N - 1), corrected to infinitely many disks.";
 
 }  // namespace
 
 Evidence estimate_eos_global(const Claim& claim, Tier tier, const SceneRecords& records) {
   Evidence evidence;
   DeviationPlot plot;
-  Series fluid = line("Kolafa and Rottner");
-  double largest_dense = 0;
-  for (const SceneValues& scene : by_area_fraction(records)) {
-    const double nu = scene.scene().area_fraction(), reference = luding_global(nu);
-    const bool transition = nu > claim.parameter("transition_from") && nu < claim.parameter("transition_to");
-    const double half_width = claim.tolerance_total() + (transition ? claim.parameter("transition_error") : 0);
-    const std::vector<double> values = deviation(scene, reference);
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  for (const SceneValues& scene : scenes) {
+    const double nu = scene.scene().area_fraction();
+    const std::vector<double> values = deviation(scene, luding_global(nu));
     evidence.checks.push_back({.label = fmt::format("Z/Z(Luding) - 1 at nu {:.2f}", nu),
                                .values = values,
-                               .band = band_about(0, half_width),
+                               .band = band_about(0, luding_margin(claim, nu)),
                                .x = nu});
-    plot.add(nu, values, band_about(0, half_width));
-    if (nu > claim.parameter("transition_from"))
-      largest_dense = std::max(largest_dense, std::abs(over_replicas(values).mean));
+    plot.add_measured(nu, values);
     compare_with_kolafa_rottner(claim, tier, scene, evidence);
   }
-  for (double nu = 0.01; nu < kolafa_rottner_limit; nu += 0.01) {
-    fluid.x.push_back(nu);
-    fluid.y.push_back(100 * (kolafa_rottner(nu) / luding_global(nu) - 1));
-  }
-  evidence.plot = plot.plot("Compressibility of elastic hard disks", "100 (Z/Z(Luding) - 1)", std::move(fluid));
-  evidence.notes = {
-      "Z is p A/(N T) from the virial of the contacts, T = kinetic energy/(N - 1), corrected to infinitely many disks.",
-      "The line is Kolafa and Rottner's equation for the fluid: where it leaves zero, Luding's equation is off, not "
-      "the "
-      "simulation.",
-      fmt::format("Above area fraction {:.2f} the largest deviation from Luding's equation is {:.2f} %.",
-                  claim.parameter("transition_from"), 100 * largest_dense)};
+  along_density(scenes,
+                [&](double nu) { plot.add_reference(nu, luding_global(nu), band_about(0, luding_margin(claim, nu))); });
+  evidence.plot = plot.plot("Compressibility of elastic hard disks", "100 (Z/Z(Luding) - 1)");
+  evidence.notes = {definition,
+                    "The line is Kolafa and Rottner's equation for the fluid: where it leaves zero, Luding's equation "
+                    "is off, not the simulation."};
   return evidence;
 }
 
 Evidence estimate_eos_virial(const Claim& claim, Tier, const SceneRecords& records) {
   Evidence evidence;
   DeviationPlot plot;
-  Series fluid = line("Kolafa and Rottner");
-  const VirialCoefficient last = virial_coefficients().back();
-  for (const SceneValues& scene : by_area_fraction(records)) {
-    const double nu = scene.scene().area_fraction(), reference = virial_series(nu);
-    // Terms left out: like a geometric series with the ratio of the last two coefficients known.
-    const double ratio = last.value / virial_coefficients()[8].value * nu;
-    const double tail = last.value * std::pow(nu, 9) * ratio / (1 - ratio) / reference;
-    const Interval band{-claim.tolerance_total(), claim.tolerance_total() + tail};
-    const std::vector<double> values = deviation(scene, reference);
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  for (const SceneValues& scene : scenes) {
+    const double nu = scene.scene().area_fraction();
+    const std::vector<double> values = deviation(scene, virial_series(nu));
     evidence.checks.push_back({.label = fmt::format("Z/Z(virial, B2 ... B10) - 1 at nu {:.2f}", nu),
                                .values = values,
-                               .band = band,
+                               .band = virial_band(claim, nu),
                                .x = nu});
-    plot.add(nu, values, band);
-    fluid.x.push_back(nu);
-    fluid.y.push_back(100 * (kolafa_rottner(nu) / reference - 1));
+    plot.add_measured(nu, values);
   }
-  evidence.plot = plot.plot("Compressibility of elastic hard disks against the virial series", "100 (Z/Z(virial) - 1)",
-                            std::move(fluid));
-  evidence.notes = {
-      "Z is p A/(N T) from the virial of the contacts, T = kinetic energy/(N - 1), corrected to infinitely many disks.",
-      "The series ends with B10; the band's upper edge is raised by an estimate of the terms beyond, a geometric "
-      "series "
-      "with the ratio of B10 to B9."};
+  along_density(scenes, [&](double nu) { plot.add_reference(nu, virial_series(nu), virial_band(claim, nu)); });
+  evidence.plot = plot.plot("Compressibility of elastic hard disks against the virial series", "100 (Z/Z(virial) - 1)");
+  evidence.notes = {definition,
+                    "The series ends with B10; the band's upper edge is raised by an estimate of the terms beyond, a "
+                    "geometric series with the ratio of B10 to B9."};
   return evidence;
 }
 

@@ -60,7 +60,7 @@ void check_shear(const Claim& claim, const SceneValues& scene, Evidence& evidenc
                                                        return shear[r] / weight -
                                                               0.5 * (demanded[r][near] - demanded[r][far]);
                                                      }),
-                               .band = band_about(0, claim.tolerance_total()),
+                               .band = band_about(0, claim.parameter("shear_margin")),
                                .x = scene.centre(bin)});
   }
 }

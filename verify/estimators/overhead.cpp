@@ -106,9 +106,8 @@ Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords&) {
       "Examined are contacts, wall contacts, cell crossings and stale contacts; a stale one was scheduled with a "
       "partner "
       "that collided with another before, and leads to a new prediction only.",
-      "At the start of each epoch, about 16 collisions per disk long, all disks are predicted anew; that is one "
-      "prediction "
-      "more for every 32 that collisions cause, and no event.",
+      "At the start of each epoch, 16 to 32 mean free times long in a periodic box, all disks are predicted anew: one "
+      "prediction more for every 16 to 32 that contacts cause, and no event.",
       "Boxes as long as they are wide. The counts are those of the calendar queue; the heap executes the same events "
       "in "
       "the same order."};
