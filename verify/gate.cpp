@@ -29,7 +29,7 @@ class Gate {
  public:
   explicit Gate(const GateOptions& options)
       : options_(options),
-        store_(options.store, [this](const std::string& line) { findings_.push_back(line); }),
+        store_(options.store, trust_in(options.tier), [this](const std::string& line) { findings_.push_back(line); }),
         scenes_(options.reference / "scenes") {}
 
   std::vector<std::string> findings() {

@@ -43,7 +43,8 @@ class Validation {
  public:
   explicit Validation(const ValidateOptions& options)
       : options_(options),
-        store_(options.store, [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }),
+        store_(options.store, trust_in(options.tier),
+               [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }),
         scenes_(options.reference / "scenes"),
         pool_{options.jobs, options.checkpoint_period, options.stop, options.run, options.command} {}
 

@@ -22,7 +22,7 @@ bool is_collapse(const PhysicsError& error) {
 
 std::vector<Scene> collapsing_scenes() {
   return {test::channel(900, 0.3, 31, 0.3), test::channel(900, 0.56, 31, 0.3), test::channel(900, 0.85, 31, 0.8),
-          test::gas(400, 0.56, 0.3), test::gas(400, 0.7, 0.1)};
+          test::channel(60, 0.5, 1.5, 0.3), test::gas(400, 0.56, 0.3),         test::gas(400, 0.7, 0.1)};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // An observer that writes down which contacts happened, and when.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,9 +18,7 @@ struct Contact {
 struct ContactLog {
   std::vector<Contact> contacts;
 
-  void on_pair(const PairContact& c) {
-    contacts.push_back({c.time, std::min(c.first, c.second), std::max(c.first, c.second)});
-  }
+  void on_pair(const PairContact& c) { contacts.push_back({c.time, c.first, c.second}); }
   void on_wall(const WallContact& c) { contacts.push_back({c.time, c.disk, c.wall == lower ? -1 : -2}); }
 };
 

@@ -63,6 +63,14 @@ void check_shear(const Claim& claim, const SceneValues& scene, Evidence& evidenc
                                .band = band_about(0, claim.parameter("shear_margin")),
                                .x = scene.centre(bin)});
   }
+  std::vector<double> mean(scene.replicas(), 0.0);
+  for (int bin = 0; bin < scene.bins(); ++bin) {
+    const std::vector<double> shear = scene.of("pressure_xy", bin);
+    for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += shear[r] / (weight * scene.bins());
+  }
+  evidence.checks.push_back({.label = fmt::format("{}: mean of P_xy, zero by symmetry, over weight/2", scene.name()),
+                             .values = std::move(mean),
+                             .band = band_about(0, claim.parameter("shear_margin"))});
 }
 
 std::vector<double> wall_mean(const SceneValues& scene, const std::string& quantity) {

@@ -173,6 +173,8 @@ std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
 template <class Queue, class Physics>
 template <class Observer>
 void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& observer) {
+  // Observers see the lower number first, whichever of the two found the contact.
+  if (plan(i).id > plan(j).id) std::swap(i, j);
   Plan &mine = plan(i), &other = plan(j);
   Flight a = flown(cells_.flight(mine.place.slot), t), b = flown(cells_.flight(other.place.slot), t);
   const auto nearest = [](double r, double period) {

@@ -10,8 +10,8 @@ namespace gpf {
 
 /// A pair contact, after it has been resolved. Positions and velocities are in the laboratory frame.
 struct PairContact {
-  double time;  ///< since the start of the run
-  std::int32_t first, second;
+  double time;                  ///< since the start of the run
+  std::int32_t first, second;   ///< first < second
   Vec2 position;                ///< of the first disk's centre, x in some period
   Vec2 r_12;                    ///< from the first to the second centre
   Vec2 velocity_1, velocity_2;  ///< after the contact

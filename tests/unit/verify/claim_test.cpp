@@ -138,8 +138,7 @@ BOOST_AUTO_TEST_CASE(a_mistake_is_an_error_with_its_place) {
 }
 
 BOOST_AUTO_TEST_CASE(tables_must_be_tables) {
-  const std::string plain =
-      replaced(replaced(claim_text, test::tolerances, ""), "tolerance_unit = \"relative\"\n", "");
+  const std::string plain = replaced(replaced(claim_text, test::tolerances, ""), "tolerance_unit = \"relative\"\n", "");
   is_refused("tolerance = [1]\n" + plain, "tolerance holds an integer");
   is_refused("tolerance = 0.1\n" + plain, "tolerance is a real number (it must be an array of tables)");
   is_refused("parameters = 3\n" + plain.substr(0, plain.find("[parameters]")),

@@ -84,9 +84,12 @@ BOOST_AUTO_TEST_CASE(a_claim_is_explained) {
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_used_is_refused_with_status_2) {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"validate", "--tier", "fast"}, {"validate", "none"}, {"validate", "--jobs", "0"},
-        {"validate", "--release-seed", "7"}, {"validate", "--only-runs", "none"}, {"explain"}})
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"validate", "--tier", "fast"},
+                                                    {"validate", "none"},
+                                                    {"validate", "--jobs", "0"},
+                                                    {"validate", "--release-seed", "7"},
+                                                    {"validate", "--only-runs", "none"},
+                                                    {"explain"}})
     BOOST_TEST(gpf(arguments).exit_status == 2);
   std::filesystem::remove(folder / "claims/eos.virial.toml");
   BOOST_TEST(gpf({"validate"}).exit_status == 2);

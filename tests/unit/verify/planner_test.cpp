@@ -21,7 +21,7 @@ struct Fixture {
     std::ofstream(folder / "long.toml") << test::replaced(test::periodic_scene, "duration = 8", "duration = 80");
   }
   SceneLibrary scenes{folder.path()};
-  RecordStore store{folder / "records"};
+  RecordStore store{folder / "records", Trust::same_sources};
 
   std::vector<std::string> missing(const Demand& demand, std::uint64_t release = 0) {
     std::vector<std::string> labels;

@@ -19,14 +19,14 @@ using namespace gpf;
 
 namespace {
 
-const SceneFile scene = parse_scene(test::periodic_scene, "periodic.toml");
+SceneFile scene() { return parse_scene(test::periodic_scene, "periodic.toml"); }
 volatile std::sig_atomic_t stop_flag = 0;
 extern "C" void set_stop_flag(int) { stop_flag = 1; }
 
 /// A store, jobs for its runs, and a log to which every run adds a line when it starts.
 struct Fixture {
   test::TemporaryFolder folder;
-  RecordStore store{folder / "records"};
+  RecordStore store{folder / "records", Trust::same_sources};
   std::filesystem::path log = folder / "log";
   PoolOptions options;
 
@@ -48,7 +48,7 @@ struct Fixture {
 
   static std::vector<RunJob> jobs(int count) {
     std::vector<RunJob> result;
-    for (int r = 0; r < count; ++r) result.push_back({replica_of(scene, r, 0), "periodic #" + std::to_string(r + 1)});
+    for (int r = 0; r < count; ++r) result.push_back({replica_of(scene(), r, 0), "periodic #" + std::to_string(r + 1)});
     return result;
   }
 
