@@ -70,7 +70,9 @@ Evidence estimate_steady(const Claim& claim, Tier, const SceneRecords& records) 
                    .xlabel = "time in (W/g)^(1/2)",
                    .ylabel = "E and T over their means after the start-up",
                    .series = {}};
-  for (const auto& [name, replicas] : records) {
+  for (const auto& entry : records) {
+    const auto& name = entry.first;
+    const auto& replicas = entry.second;  // no structured binding: clang 14 cannot capture one
     const SceneValues scene(name, replicas);
     for (const Field& field : fields) {
       evidence.checks.push_back(

@@ -8,12 +8,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
+#include "gpf/event/cell_lines.hpp"
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
 #include "gpf/event/huge_pages.hpp"
-#include "gpf/event/lane.hpp"
 #include "gpf/event/near_cells.hpp"
 #include "gpf/scene/scene.hpp"
 
@@ -30,6 +31,29 @@ struct Place {
 /// Rows run along x. In a channel the outermost sides are the contact planes of the walls; otherwise the grid closes
 /// on itself with the periods L and 1.
 class Cells {
+  template <int width>
+  using Lines = std::vector<CellLine<width>, HugePages<CellLine<width>>>;
+
+  /// Calls work(lines) for the lines that this grid has.
+  template <class Work>
+  decltype(auto) on_lines(Work&& work) {
+    return wide_cells_ ? work(wide_) : work(narrow_);
+  }
+  template <class Work>
+  decltype(auto) on_lines(Work&& work) const {
+    return wide_cells_ ? work(wide_) : work(narrow_);
+  }
+  template <class Lines>
+  static constexpr int width_of = std::remove_cvref_t<Lines>::value_type::width;
+  template <class Lines>
+  static auto& line_of(Lines& lines, Index slot) {
+    return lines[static_cast<std::size_t>(slot) / std::size_t{width_of<Lines>}];
+  }
+  template <class Lines>
+  static unsigned place_in_line(const Lines&, Index slot) {
+    return static_cast<unsigned>(slot) % unsigned{width_of<Lines>};
+  }
+
  public:
   /// Cells of about `disks_per_cell` disks, never narrower than a diameter.
   Cells(const Scene& scene, double lower, double upper, double length, double disks_per_cell)
@@ -37,6 +61,7 @@ class Cells {
     const double height = upper - lower;
     const double side =
         std::max(scene.diameter() * (1 + 1e-9), std::sqrt(disks_per_cell * length * height / scene.particles));
+    wide_cells_ = scene.particles * side * side > 1.2 * length * height;
     const auto fit = [side](double extent, Index least) { return std::max(least, static_cast<Index>(extent / side)); };
     columns_ = fit(length, 3);
     rows_ = fit(height, channel_ ? 1 : 3);
@@ -61,47 +86,60 @@ class Cells {
   }
 
   /// Empties all cells.
-  void clear() { lines_.assign(size(), Line{}); }
+  void clear() {
+    narrow_.assign(wide_cells_ ? 0 : size(), CellLine<2>{});
+    wide_.assign(wide_cells_ ? size() : 0, CellLine<4>{});
+  }
 
   [[nodiscard]] Flight flight(Index slot) const {
-    const auto [line, k] = split(slot);
-    return {line->flights.x[k], line->flights.y[k], line->flights.vx[k], line->flights.vy[k], line->flights.time[k]};
+    return on_lines([slot](const auto& lines) {
+      const auto& flights = line_of(lines, slot).flights;
+      const auto k = place_in_line(lines, slot);
+      return Flight{flights.x[k], flights.y[k], flights.vx[k], flights.vy[k], flights.time[k]};
+    });
   }
   void set(Index slot, const Flight& flight) {
-    const auto [found, k] = split(slot);
-    Line& line = const_cast<Line&>(*found);
-    line.flights.x[k] = flight.x, line.flights.y[k] = flight.y;
-    line.flights.vx[k] = flight.vx, line.flights.vy[k] = flight.vy;
-    line.flights.time[k] = flight.time;
+    on_lines([&](auto& lines) {
+      auto& flights = line_of(lines, slot).flights;
+      const auto k = place_in_line(lines, slot);
+      flights.x[k] = flight.x, flights.y[k] = flight.y;
+      flights.vx[k] = flight.vx, flights.vy[k] = flight.vy;
+      flights.time[k] = flight.time;
+    });
   }
 
   /// Puts disk i into the cell of `place` and sets its slot.
   void insert(Place& place, Index i, const Flight& flight) {
-    std::size_t line = number(place);
-    if (lines_[line].count == lane_width) ++lines_[line].beyond;
-    while (lines_[line].count == lane_width) {
-      if (lines_[line].more < 0) {
-        lines_[line].more = static_cast<Index>(lines_.size());
-        lines_.emplace_back();
+    on_lines([&](auto& lines) {
+      constexpr int width = width_of<decltype(lines)>;
+      std::size_t line = number(place);
+      if (lines[line].count == width) ++lines[line].beyond;
+      while (lines[line].count == width) {
+        if (lines[line].more < 0) {
+          lines[line].more = static_cast<Index>(lines.size());
+          lines.emplace_back();
+        }
+        line = static_cast<std::size_t>(lines[line].more);
       }
-      line = static_cast<std::size_t>(lines_[line].more);
-    }
-    const unsigned free = static_cast<unsigned>(std::countr_one(lines_[line].taken));
-    lines_[line].taken |= static_cast<std::uint8_t>(1u << free);
-    ++lines_[line].count;
-    lines_[line].disks[free] = i;
-    place.slot = static_cast<Index>(line) * lane_width + static_cast<Index>(free);
+      const auto free = static_cast<unsigned>(std::countr_one(lines[line].taken));
+      lines[line].taken |= static_cast<std::uint8_t>(1u << free);
+      ++lines[line].count;
+      lines[line].disks[free] = i;
+      place.slot = static_cast<Index>(line) * width + static_cast<Index>(free);
+    });
     set(place.slot, flight);
   }
 
   void remove(const Place& place) {
-    Line& line = lines_[static_cast<std::size_t>(place.slot / lane_width)];
-    const int k = place.slot % lane_width;
-    line.flights.x[k] = std::numeric_limits<double>::quiet_NaN();
-    line.taken &= static_cast<std::uint8_t>(~(1u << k));
-    --line.count;
-    Line& home = lines_[number(place)];
-    if (&home != &line) --home.beyond;
+    on_lines([&](auto& lines) {
+      auto& line = line_of(lines, place.slot);
+      const auto k = place_in_line(lines, place.slot);
+      line.flights.x[k] = std::numeric_limits<double>::quiet_NaN();
+      line.taken &= static_cast<std::uint8_t>(~(1u << k));
+      --line.count;
+      auto& home = lines[number(place)];
+      if (&home != &line) --home.beyond;
+    });
   }
 
   /// When and through which side a disk in free flight leaves its cell.
@@ -155,12 +193,14 @@ class Cells {
   /// Fetches what for_contacts() will read.
   void prefetch(const Place& place, Block block) const {
     const auto [columns, rows] = near(place, block);
-    const Line* const home = &lines_[number(place)];
-    for (std::size_t r = 0; r < rows.count; ++r)
-      for (std::size_t c = 0; c < columns.count; ++c) {
-        const auto* const line = reinterpret_cast<const char*>(&home[rows.offset[r] + columns.offset[c]]);
-        for (std::size_t byte = 0; byte < sizeof(Line); byte += alignof(Line)) __builtin_prefetch(line + byte);
-      }
+    on_lines([&, &columns = columns, &rows = rows](const auto& lines) {
+      for (std::size_t r = 0; r < rows.count; ++r)
+        for (std::size_t c = 0; c < columns.count; ++c) {
+          const auto* const line = &lines[number(place)] + rows.offset[r] + columns.offset[c];
+          for (std::size_t byte = 0; byte < sizeof *line; byte += 64)
+            __builtin_prefetch(reinterpret_cast<const char*>(line) + byte);
+        }
+    });
   }
 
   /// Calls visit(j, contact) for every disk j of a block of cells around `place` that flight `a` will touch.
@@ -169,25 +209,16 @@ class Cells {
   void for_contacts(const Place& place, const Flight& a, Block block, const ContactTime& contact_time,
                     Visit&& visit) const {
     const auto [columns, rows] = near(place, block);
-    if (columns.count == 1)
-      ask<a_is_latest, 1>(place, a, columns, rows, contact_time, visit);
-    else
-      ask<a_is_latest, 3>(place, a, columns, rows, contact_time, visit);
+    on_lines([&, &columns = columns, &rows = rows](const auto& lines) {
+      const auto* const home = &lines[number(place)];
+      if (columns.count == 1)
+        ask<a_is_latest, 1, width_of<decltype(lines)>>(lines, home, a, columns, rows, contact_time, visit);
+      else
+        ask<a_is_latest, 3, width_of<decltype(lines)>>(lines, home, a, columns, rows, contact_time, visit);
+    });
   }
 
  private:
-  /// A lane of disks; empty places hold NaN, which meets nobody. More lines are chained to a cell that overflows.
-  struct alignas(64) Line {
-    FlightOf<Lane> flights{empty, empty, Lane{}, Lane{}, Lane{}};
-    std::array<Index, lane_width> disks{};
-    Index more = -1;
-    std::uint8_t count = 0, taken = 0;
-    std::uint32_t beyond = 0;  ///< disks of the cell in the lines chained to its first
-
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    static constexpr Lane empty{nan, nan, nan, nan};
-  };
-
   struct Near {
     const NearCells &columns, &rows;
   };
@@ -198,68 +229,54 @@ class Cells {
     return {near_columns_(place.column, columns[k]), near_rows_(place.row, rows[k])};
   }
 
-  /// for_contacts() of a block `width` cells wide.
-  template <bool a_is_latest, std::size_t width, class Visit>
-  void ask(const Place& place, const Flight& a, const NearCells& columns, const NearCells& rows,
-           const ContactTime& contact_time, Visit&& visit) const {
-    const auto encounter = [&](const Line& line, std::size_t r, std::size_t c) {
-      return contact_time.encounter<a_is_latest>(a, line.flights, columns.shift[c], rows.shift[r]);
-    };
-    const Line* const home = &lines_[number(place)];
-    std::array<const Line*, 9> asked;
-    std::array<Encounter<Lane>, 9> answers;
-    std::uint64_t meet = 0;
-    std::uint32_t beyond = 0;
-    for (std::size_t r = 0; r < rows.count; ++r)
+  /// for_contacts() of a block `wide` cells wide.
+  template <bool a_is_latest, std::size_t wide, int width, class Visit>
+  void ask(const Lines<width>& lines, const CellLine<width>* home, const Flight& a, const NearCells& columns,
+           const NearCells& rows, const ContactTime& contact_time, Visit&& visit) const {
+    Survey<a_is_latest, width> survey(a, contact_time);
+    const auto cell = [&](std::size_t r, std::size_t c) { return home + rows.offset[r] + columns.offset[c]; };
+    if constexpr (width == 4) {
+      for (std::size_t r = 0; r < rows.count; ++r)
 #pragma GCC unroll 3
-      for (std::size_t c = 0; c < width; ++c) {
-        const std::size_t k = width * r + c;
-        const Line& line = home[rows.offset[r] + columns.offset[c]];
-        asked[k] = &line;
-        answers[k] = encounter(line, r, c);
-        meet |= std::uint64_t{bits(answers[k].meet())} << (lane_width * k);
-        beyond |= line.beyond;
-      }
-    const auto time_it = [&](const Line& line, const Encounter<Lane>& e, unsigned k) {
-      const Encounter<double> one{e.rx[k], e.ry[k], e.approach[k], e.discriminant[k]};
-      visit(line.disks[k], contact_time.contact(one, a.time, line.flights.time[k]));
-    };
-    for (; meet != 0; meet &= meet - 1) {
-      const auto bit = static_cast<unsigned>(std::countr_zero(meet));
-      time_it(*asked[bit / lane_width], answers[bit / lane_width], bit % lane_width);
+        for (std::size_t c = 0; c < wide; ++c) survey.ask(*cell(r, c), columns.shift[c], rows.shift[r]);
+    } else {
+      // The first two columns in pairs along the rows, the last in pairs along the column.
+      const auto [x0, x1, x2] = columns.shift;
+      const auto [y0, y1, y2] = rows.shift;
+      const Lane along{x0, x0, x1, x1}, across{y0, y0, y1, y1};
+      constexpr std::size_t last = wide - 1;
+      if constexpr (wide == 3)
+        for (std::size_t r = 0; r < rows.count; ++r)
+          survey.ask(*cell(r, 0), *cell(r, 1), along, Lane{} + rows.shift[r]);
+      if (rows.count == 1)
+        survey.ask(*cell(0, last), columns.shift[last], y0);
+      else if (rows.count > 1)
+        survey.ask(*cell(0, last), *cell(1, last), Lane{} + columns.shift[last], across);
+      if (rows.count == 3) survey.ask(*cell(2, last), columns.shift[last], y2);
     }
-    if (beyond == 0) return;
+    survey.time_them(visit);
+    if (!survey.more()) return;
     for (std::size_t r = 0; r < rows.count; ++r)
-      for (std::size_t c = 0; c < width; ++c) {
-        const Line& first = *asked[width * r + c];
-        for (Index more = first.beyond == 0 ? -1 : first.more; more >= 0;) {
-          const Line& line = lines_[static_cast<std::size_t>(more)];
-          const auto answer = encounter(line, r, c);
-          for (unsigned some = bits(answer.meet()); some != 0; some &= some - 1)
-            time_it(line, answer, static_cast<unsigned>(std::countr_zero(some)));
+      for (std::size_t c = 0; c < wide; ++c)
+        for (Index more = cell(r, c)->beyond == 0 ? -1 : cell(r, c)->more; more >= 0;) {
+          const auto& line = lines[static_cast<std::size_t>(more)];
+          Survey<a_is_latest, width> chained(a, contact_time);
+          chained.ask(line, columns.shift[c], rows.shift[r]);
+          chained.time_them(visit);
           more = line.more;
         }
-      }
   }
 
   [[nodiscard]] std::size_t number(Index column, Index row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  struct Split {
-    const Line* line;
-    int k;
-  };
-  [[nodiscard]] Split split(Index slot) const {
-    return {&lines_[static_cast<std::size_t>(slot) / lane_width],
-            static_cast<int>(static_cast<unsigned>(slot) % lane_width)};
-  }
-
-  bool channel_;
+  bool channel_, wide_cells_;
   double lower_, upper_, length_;
   Index columns_ = 0, rows_ = 0;
   double width_ = 0, height_ = 0;
   NearCellsOfAxis near_columns_, near_rows_;
-  std::vector<Line, HugePages<Line>> lines_;
+  Lines<2> narrow_;  // of cells of about one disk
+  Lines<4> wide_;    // of larger cells
 };
 
 }  // namespace gpf

@@ -33,8 +33,7 @@ class ContactTime {
   /// b (one disk, or a lane of them) is taken in the image displaced by (shift_x, shift_y). Where `a_is_latest` is
   /// promised (no b has a later time) its own flight, which has no length, is left out.
   template <bool a_is_latest = false, class Real>
-  [[nodiscard]] Encounter<Real> encounter(const Flight& a, const FlightOf<Real>& b, double shift_x,
-                                          double shift_y) const {
+  [[nodiscard]] Encounter<Real> encounter(const Flight& a, const FlightOf<Real>& b, auto shift_x, auto shift_y) const {
     Real rx = b.x - a.x + shift_x, ry = b.y - a.y + shift_y;
     if constexpr (a_is_latest) {
       const Real flight_b = a.time - b.time;

@@ -71,8 +71,7 @@ class Engine {
  private:
   /// What is known of one disk besides its flight, which its cell holds.
   struct alignas(64) Plan {
-    double contact = never;  ///< time of the next contact found by this disk
-    double exit = never;     ///< when it leaves its cell or meets the wall
+    double exit = never;  ///< when it leaves its cell or meets the wall
     double last_contact = -never;
     Index partner = -1;                ///< of the next contact
     std::uint32_t partner_events = 0;  ///< of the partner when the contact was found
@@ -83,6 +82,9 @@ class Engine {
   };
 
   Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
+  /// Time of the next contact found by a disk; beside each other, for neighbours ask for it.
+  double& contact(Index i) { return contacts_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] double contact(Index i) const { return contacts_[static_cast<std::size_t>(i)]; }
   /// Contacts of a disk in this epoch: what was predicted at another number is stale.
   std::uint32_t& events(Index i) { return events_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
@@ -122,6 +124,7 @@ class Engine {
   Cells cells_;
   Queue queue_;
   std::vector<Plan, HugePages<Plan>> plans_;
+  std::vector<double, HugePages<double>> contacts_;
   std::vector<std::uint32_t, HugePages<std::uint32_t>> events_;
   std::int64_t epoch_ = 0;
   double now_ = 0;  // within the epoch
@@ -143,13 +146,13 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
     now_ = queue_.time(i);
     foresee();
     Plan& mine = plan(i);
-    if (mine.exit < mine.contact) {
+    if (mine.exit < contact(i)) {
       if (mine.wall)
         bounce(i, mine.exit, observer);
       else
         cross(i);
     } else if (events(mine.partner) == mine.partner_events) {
-      collide(i, mine.partner, mine.contact, observer);
+      collide(i, mine.partner, contact(i), observer);
     } else {
       ++counts_.stale;
       predict<false>(i);
@@ -163,7 +166,7 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
 template <class Queue, class Physics>
 std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
   const Plan& mine = plans_[static_cast<std::size_t>(i)];
-  if (mine.exit < mine.contact) return mine.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
+  if (mine.exit < contact(i)) return mine.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
   const auto partner = static_cast<std::size_t>(mine.partner);
   if (events_[partner] != mine.partner_events) return 0;
   const auto [low, high] = std::minmax(mine.id, plans_[partner].id);
@@ -255,7 +258,7 @@ void Engine<Queue, Physics>::enter(Index i) {
 template <class Queue, class Physics>
 template <bool is_latest>
 void Engine<Queue, Physics>::predict(Index i) {
-  plan(i).contact = never;
+  contact(i) = never;
   plan(i).partner = -1;
   look<is_latest>(i, Cells::Block::all);
 }
@@ -267,25 +270,27 @@ template <bool is_latest>
 void Engine<Queue, Physics>::look(Index i, Cells::Block block) {
   Plan& mine = plan(i);
   const Flight flight = cells_.flight(mine.place.slot);
-  double earliest = mine.contact;
+  double earliest = contact(i);
   Index partner = mine.partner;
-  cells_.template for_contacts<is_latest>(
-      mine.place, flight, block, contact_time_, [&](Index j, ContactTime::Contact contact) {
-        if (contact.overlap) [[unlikely]]
-          fail_overlap(i, j);
-        if (contact.time > earliest || contact.time > plan(j).contact) return;  // the partner will collide before
-        if (contact.time == earliest && partner >= 0 && plan(partner).id < plan(j).id) return;
-        earliest = contact.time;
-        partner = j;
-      });
-  mine.contact = earliest;
+  cells_.template for_contacts<is_latest>(mine.place, flight, block, contact_time_,
+                                          [&](Index j, ContactTime::Contact found) {
+                                            if (found.overlap) [[unlikely]]
+                                              fail_overlap(i, j);
+                                            if (found.time > earliest || found.time > contact(j))
+                                              return;  // the partner will collide before
+                                            if (found.time == earliest && partner >= 0 && plan(partner).id < plan(j).id)
+                                              return;
+                                            earliest = found.time;
+                                            partner = j;
+                                          });
+  contact(i) = earliest;
   mine.partner = partner;
   if (mine.partner >= 0) mine.partner_events = events(mine.partner);
   const auto exit = cells_.exit(mine.place, flight);
   mine.exit = exit.time;
   mine.side = exit.side;
   mine.wall = exit.wall;
-  queue_.schedule(i, std::min(mine.exit, mine.contact));
+  queue_.schedule(i, std::min(mine.exit, earliest));
 }
 
 /// Free flight to time t of the epoch; displacements are rounded to the grid, so that reflections commute with it.
@@ -298,14 +303,14 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
 /// Asks for the memory that the coming events will read: it takes longer to come than many events last.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::foresee() {
-  const auto will_collide = [](const Plan& plan) { return plan.partner >= 0 && plan.contact <= plan.exit; };
+  const auto will_collide = [this](Index i) { return plan(i).partner >= 0 && contact(i) <= plan(i).exit; };
   queue_.foresee([&](Index i) { __builtin_prefetch(&plan(i)); },
                  [&](Index i) {
                    cells_.prefetch(plan(i).place, Cells::Block::all);
-                   if (will_collide(plan(i))) __builtin_prefetch(&plan(plan(i).partner));
+                   if (will_collide(i)) __builtin_prefetch(&plan(plan(i).partner));
                  },
                  [&](Index i) {
-                   if (will_collide(plan(i))) cells_.prefetch(plan(plan(i).partner).place, Cells::Block::all);
+                   if (will_collide(i)) cells_.prefetch(plan(plan(i).partner).place, Cells::Block::all);
                  });
 }
 
@@ -359,6 +364,7 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   now_ = 0;
   events_before_ = counts_.examined();
   settle(flights);
+  contacts_.assign(plans_.size(), never);
   events_.assign(plans_.size(), 0);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
   for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict<true>(i);
