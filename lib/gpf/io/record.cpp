@@ -43,7 +43,9 @@ std::string canonical_text(const Scene& scene, const Run& run) {
   if (run.duration > 0) text += fmt::format("duration = {}\n", run.duration);
   if (run.collisions_per_particle > 0)
     text += fmt::format("collisions_per_particle = {}\n", run.collisions_per_particle);
-  return text + fmt::format("sample_interval = {}\nbins = {}\n", run.sample_interval, run.bins);
+  text += fmt::format("sample_interval = {}\nbins = {}\n", run.sample_interval, run.bins);
+  if (run.detail != Detail::profiles) text += fmt::format("detail = \"{}\"\n", name_of(run.detail));
+  return text;
 }
 
 std::string record_name(const Scene& scene, const Run& run) {

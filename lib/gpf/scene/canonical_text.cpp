@@ -37,6 +37,17 @@ std::string_view name_of(Lattice lattice) {
   }
 }
 
+std::string_view name_of(Detail detail) {
+  switch (detail) {
+    case Detail::distributions:
+      return "distributions";
+    case Detail::correlations:
+      return "correlations";
+    default:
+      return "profiles";
+  }
+}
+
 std::string canonical_text(const Scene& scene) {
   return text_without_seed(scene) + fmt::format("seed = {}\n", scene.seed);
 }

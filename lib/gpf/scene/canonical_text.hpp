@@ -19,5 +19,6 @@ namespace gpf {
 /// "channel", "periodic"; "auto", "square", "triangular": as in scene files.
 [[nodiscard]] std::string_view name_of(Geometry geometry);
 [[nodiscard]] std::string_view name_of(Lattice lattice);
+std::string_view name_of(Detail detail);
 
 }  // namespace gpf

@@ -8,6 +8,9 @@
 namespace gpf {
 
 enum class Geometry { channel, periodic };
+/// What a run measures: profiles; distributions of velocities, free paths and contact angles besides; correlations
+/// between disks and in time besides.
+enum class Detail { profiles, distributions, correlations };
 enum class Lattice { automatic, square, triangular };
 enum Wall : int { lower = 0, upper = 1 };
 
@@ -47,6 +50,7 @@ struct Run {
   double collisions_per_particle = 0;  ///< least number of pair collisions per disk, 2 N_c/N (0: not set)
   double sample_interval = 0;          ///< time between samples of the fields
   std::int32_t bins = 18;              ///< bins across the width
+  Detail detail = Detail::profiles;
 };
 
 }  // namespace gpf

@@ -111,6 +111,8 @@ Run run_of(const KeyValues& values, const Scene& scene) {
   const double bins = std::floor(scene.width_over_diameter * 18 / 31 + 0.5);
   run.bins =
       static_cast<std::int32_t>(values.integer("bins").value_or(static_cast<int>(std::clamp(bins, 1.0, 1000.0))));
+  run.detail = named(values.word("detail").value_or("profiles"),
+                     {Detail::profiles, Detail::distributions, Detail::correlations});
   return run;
 }
 

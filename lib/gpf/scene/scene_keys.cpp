@@ -11,6 +11,7 @@ namespace {
 using Words2 = std::array<std::string_view, 2>;
 using Words3 = std::array<std::string_view, 3>;
 constexpr Words2 geometries{"channel", "periodic"};
+constexpr Words3 details{"profiles", "distributions", "correlations"};
 constexpr Words3 lattices{"auto", "square", "triangular"};
 
 constexpr double longest_time = 1e12;
@@ -146,7 +147,14 @@ constexpr std::array keys{
              .most = 1000,
              .range_reason = "profiles need at least one bin, and more than 1000 resolve nothing",
              .meaning = "bins across the width",
-             .otherwise = "18 for W/d = 31, in proportion to W/d"}};
+             .otherwise = "18 for W/d = 31, in proportion to W/d"},
+    SceneKey{.table = "run",
+             .name = "detail",
+             .kind = KeyKind::word,
+             .words = details,
+             .meaning = "what is measured; distributions: of velocities, free paths and contact angles besides; "
+                        "correlations: between disks and in time besides",
+             .otherwise = "profiles"}};
 
 }  // namespace
 
