@@ -31,7 +31,7 @@ double thread_cpu_seconds() {
 class Simulation {
  public:
   Simulation(const SceneFile& file, const SimulationOptions& options)
-      : file_(file), options_(options), measurement_(file.scene, file.run.bins), engine_(begin()) {}
+      : file_(file), options_(options), measurement_(file.scene, file.run.bins, file.run.detail), engine_(begin()) {}
 
   std::optional<Record> run() {
     while (!finished()) {
@@ -139,6 +139,7 @@ class Simulation {
     r.counts = engine_.counts();
     r.blocks = measurement_.series().blocks();
     r.sums.assign(measurement_.series().sums().begin(), measurement_.series().sums().end());
+    r.arrays = measurement_.arrays();
     r.history = history_;
     r.final_state = engine_.state();
     r.build = to_json(build_provenance());

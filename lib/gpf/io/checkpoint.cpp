@@ -4,6 +4,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/event/physics_version.hpp"
+#include "gpf/io/arrays.hpp"
 #include "gpf/io/hdf5.hpp"
 #include "gpf/io/record.hpp"
 
@@ -38,6 +39,7 @@ void write_checkpoint(const Scene& scene, const Run& run, const Checkpoint& c, c
   file.write("/measurement/open", m.open);
   file.write("/measurement/series", m.series.sums);
   file.write("/measurement/series_open", m.series.open);
+  write_arrays(file, m.arrays);
   file.write("/history/time", c.history.time);
   file.write("/history/energy", c.history.energy);
   file.write("/history/temperature", c.history.temperature);
@@ -86,7 +88,8 @@ Checkpoint read_checkpoint(const Scene& scene, const Run& run, const std::filesy
                    file.doubles("/measurement/open").values,
                    {},
                    {integers[10], integers[11], file.doubles("/measurement/series").values,
-                    file.doubles("/measurement/series_open").values}};
+                    file.doubles("/measurement/series_open").values},
+                   read_arrays(file, scene, run)};
   for (std::size_t i = 0; i < disks; ++i) {
     const double* t = &travels[6 * i];
     c.measurement.travels.push_back({t[0], {t[1], t[2]}, {t[3], t[4]}, t[5]});

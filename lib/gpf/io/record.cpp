@@ -7,6 +7,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
 #include "gpf/event/physics_version.hpp"
+#include "gpf/io/arrays.hpp"
 #include "gpf/io/hdf5.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "gpf/scene/scene_file.hpp"
@@ -74,6 +75,7 @@ void write_record(const Record& r, const std::filesystem::path& path) {
   file.write_text("/tallies/names", names);
   file.write("/tallies/sums", r.sums, Dims{r.blocks, layout.size()});
 
+  write_arrays(file, r.arrays);
   file.write("/history/time", r.history.time);
   file.write("/history/energy", r.history.energy);
   file.write("/history/granular_temperature", r.history.temperature);
@@ -114,6 +116,7 @@ Record read_record(const std::filesystem::path& path) {
     throw unusable(path, "its sums are not those that this version of gpf collects");
   r.blocks = sums.dims[0];
   r.sums = std::move(sums.values);
+  r.arrays = read_arrays(file, r.scene, r.run);
   r.history.time = file.doubles("/history/time").values;
   r.history.energy = file.doubles("/history/energy").values;
   r.history.temperature = file.doubles("/history/granular_temperature").values;

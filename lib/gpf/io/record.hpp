@@ -8,13 +8,14 @@
 
 #include "gpf/event/engine_state.hpp"
 #include "gpf/measure/history.hpp"
+#include "gpf/measure/named_array.hpp"
 #include "gpf/measure/quantities.hpp"
 #include "gpf/scene/scene.hpp"
 #include "gpf/scene/state.hpp"
 
 namespace gpf {
 
-/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /final (state),
+/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /arrays, /final (state),
 /// /provenance (JSON), attributes of "/" for the rest, and /session for what differs between equal runs.
 struct Record {
   std::string scene_text;  ///< the scene file as read
@@ -30,6 +31,7 @@ struct Record {
 
   std::size_t blocks = 0;
   std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run.bins)
+  NamedArrays arrays;        ///< what run.detail asks for; see Measurement::arrays()
   History history;
   State final_state;
 

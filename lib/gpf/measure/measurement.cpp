@@ -7,7 +7,7 @@
 
 namespace gpf {
 
-Measurement::Measurement(const Scene& scene, int bins)
+Measurement::Measurement(const Scene& scene, int bins, Detail detail)
     : channel_(scene.geometry == Geometry::channel),
       disks_(scene.particles),
       gravity_(scene.gravity),
@@ -16,7 +16,10 @@ Measurement::Measurement(const Scene& scene, int bins)
       layout_(bins),
       series_(layout_.size()),
       open_(layout_.size(), 0.0),
-      travels_(static_cast<std::size_t>(scene.particles)) {}
+      travels_(static_cast<std::size_t>(scene.particles)) {
+  if (detail != Detail::profiles) distributions_.emplace(scene, bins);
+  if (detail == Detail::correlations) correlations_.emplace(scene, bins);
+}
 
 namespace {
 
@@ -41,6 +44,8 @@ void Measurement::begin(double time, const State& state) {
   energy_ = total_energy(state);
   std::fill(open_.begin(), open_.end(), 0.0);
   for (std::size_t i = 0; i < travels_.size(); ++i) travels_[i] = {time, state.velocity[i], {}, 0};
+  if (distributions_) distributions_->begin(state);
+  if (correlations_) correlations_->begin(state);
 }
 
 /// Work of gravity since momentum_time_: g times the integral of the total momentum, which grows as N g t between
@@ -52,16 +57,17 @@ void Measurement::gravity_until(double time) {
   momentum_time_ = time;
 }
 
-void Measurement::travel(std::int32_t disk, double time, Vec2 velocity_after, bool pair) {
+void Measurement::travel(std::int32_t disk, double time, Vec2 velocity_after, const PairContact* pair) {
   Travel& t = travels_[static_cast<std::size_t>(disk)];
   const double lapse = time - t.time;
   t.displacement = t.displacement + lapse * t.velocity + Vec2{0.5 * gravity_ * lapse * lapse, 0};
   t.time = time;
   t.velocity = velocity_after;
-  if (!pair) return;
+  if (pair == nullptr) return;
   if (t.started > 0) {
     sum(Tally::free_paths) += 1;
     sum(Tally::free_path) += std::sqrt(dot(t.displacement, t.displacement));
+    if (distributions_) distributions_->free_path(disk, *pair, t.displacement);
   }
   t.started = 1;
   t.displacement = {};
@@ -86,8 +92,9 @@ void Measurement::on_pair(const PairContact& c) {
   if (!channel_) middle -= std::floor(middle);
   sum(Tally::contacts, bins_.at(middle)) += 1;
   sum(Tally::loss, bins_.at(middle)) += c.energy_loss;
-  travel(c.first, c.time, c.velocity_1, true);
-  travel(c.second, c.time, c.velocity_2, true);
+  travel(c.first, c.time, c.velocity_1, &c);
+  travel(c.second, c.time, c.velocity_2, &c);
+  if (distributions_) distributions_->on_pair(c);
 }
 
 void Measurement::on_wall(const WallContact& c) {
@@ -104,7 +111,7 @@ void Measurement::on_wall(const WallContact& c) {
   const double surface = c.wall == Wall::lower ? 0 : 1;  // the line from the wall's surface to the disk's centre
   const Vec2 r{0, c.wall == Wall::lower ? radius_ : -radius_};
   add_stress(impulse, r, surface, surface + r.y);
-  travel(c.disk, c.time, c.velocity_after, false);
+  travel(c.disk, c.time, c.velocity_after, nullptr);
 }
 
 void Measurement::add_fields(const State& state) {
@@ -121,10 +128,12 @@ void Measurement::add_fields(const State& state) {
     sum(Tally::count, static_cast<int>(b)) += count[b];
     sum(Tally::freedom, static_cast<int>(b)) += count[b] - 1;
   }
+  std::vector<double> ux(state.position.size());
   for (std::size_t i = 0; i < state.position.size(); ++i) {
     const int b = bins_.at(state.position[i].y);
     const Vec2 c = state.velocity[i];
     const double u = c.x - mean[static_cast<std::size_t>(b)];
+    ux[i] = u;
     const double cx2 = c.x * c.x, cy2 = c.y * c.y, u2 = u * u;
     sum(Tally::cx, b) += c.x;
     sum(Tally::cx2, b) += cx2;
@@ -141,6 +150,8 @@ void Measurement::add_fields(const State& state) {
     sum(Tally::speed) += std::sqrt(cx2 + cy2);
     sum(Tally::peculiar_speed) += std::sqrt(u2 + cy2);
   }
+  if (distributions_) distributions_->sample(state, ux);
+  if (correlations_) correlations_->sample(state, ux);
 }
 
 void Measurement::sample(double time, const State& state) {
@@ -160,7 +171,14 @@ void Measurement::sample(double time, const State& state) {
 }
 
 Measurement::Memory Measurement::memory() const {
-  return {begun_, last_time_, momentum_time_, momentum_, energy_, open_, travels_, series_.memory()};
+  return {begun_, last_time_, momentum_time_, momentum_, energy_, open_, travels_, series_.memory(), arrays()};
+}
+
+NamedArrays Measurement::arrays() const {
+  NamedArrays all;
+  if (distributions_) all = distributions_->arrays();
+  if (correlations_) all.insert(all.end(), correlations_->arrays().begin(), correlations_->arrays().end());
+  return all;
 }
 
 void Measurement::restore(const Memory& memory) {
@@ -175,6 +193,17 @@ void Measurement::restore(const Memory& memory) {
   open_ = memory.open;
   travels_ = memory.travels;
   series_.restore(memory.series);
+  const auto take = [&memory](NamedArrays& arrays) {
+    for (NamedArray& array : arrays) {
+      const NamedArray& kept = array_named(memory.arrays, array.name);
+      if (kept.shape != array.shape)
+        throw InputError("a checkpoint's array " + array.name + " has another shape", "it was written by another gpf",
+                         "start the run anew, without --resume");
+      array.values = kept.values;
+    }
+  };
+  if (distributions_) take(distributions_->arrays());
+  if (correlations_) take(correlations_->arrays());
 }
 
 }  // namespace gpf

@@ -1,11 +1,14 @@
 // Watches a run and fills its tallies.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gpf/event/observer.hpp"
 #include "gpf/measure/bins.hpp"
 #include "gpf/measure/block_series.hpp"
+#include "gpf/measure/correlations.hpp"
+#include "gpf/measure/distributions.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "gpf/scene/scene.hpp"
 #include "gpf/scene/state.hpp"
@@ -15,7 +18,7 @@ namespace gpf {
 /// An observer of contacts that is also shown the state at the end of every sample interval.
 class Measurement {
  public:
-  Measurement(const Scene& scene, int bins);
+  Measurement(const Scene& scene, int bins, Detail detail = Detail::profiles);
 
   /// Measurement starts here; contacts seen before are forgotten.
   void begin(double time, const State& state);
@@ -27,6 +30,8 @@ class Measurement {
   [[nodiscard]] bool begun() const { return begun_; }
   [[nodiscard]] const TallyLayout& layout() const { return layout_; }
   [[nodiscard]] const BlockSeries& series() const { return series_; }
+  /// Sums of the whole run that `detail` asks for; see Distributions and Correlations.
+  [[nodiscard]] NamedArrays arrays() const;
 
   /// A disk between contacts, in the laboratory: what its free path needs.
   struct Travel {
@@ -42,6 +47,7 @@ class Measurement {
     std::vector<double> open;
     std::vector<Travel> travels;
     BlockSeries::Memory series;
+    NamedArrays arrays;
   };
   [[nodiscard]] Memory memory() const;
   /// Throws InputError when the memory belongs to another scene or other bins.
@@ -49,7 +55,7 @@ class Measurement {
 
  private:
   double& sum(Tally tally, int k = 0) { return open_[layout_.at(tally, k)]; }
-  void travel(std::int32_t disk, double time, Vec2 velocity_after, bool pair);
+  void travel(std::int32_t disk, double time, Vec2 velocity_after, const PairContact* pair);
   void gravity_until(double time);
   void add_fields(const State& state);
   void add_stress(Vec2 impulse, Vec2 r, double from, double to);
@@ -59,6 +65,8 @@ class Measurement {
   Bins bins_;
   TallyLayout layout_;
   BlockSeries series_;
+  std::optional<Distributions> distributions_;
+  std::optional<Correlations> correlations_;
   bool begun_ = false;
   double last_time_ = 0;                     // end of the last interval
   double momentum_time_ = 0, momentum_ = 0;  // total x momentum at that time

@@ -113,6 +113,10 @@ Run run_of(const KeyValues& values, const Scene& scene) {
       static_cast<std::int32_t>(values.integer("bins").value_or(static_cast<int>(std::clamp(bins, 1.0, 1000.0))));
   run.detail = named(values.word("detail").value_or("profiles"),
                      {Detail::profiles, Detail::distributions, Detail::correlations});
+  if (run.detail != Detail::profiles && scene.geometry != Geometry::channel)
+    throw values.error({"detail"}, fmt::format("detail = \"{}\" in a periodic scene", name_of(run.detail)),
+                       "distributions and correlations are those of the bins across a channel",
+                       "remove detail, or set geometry = \"channel\"");
   return run;
 }
 

@@ -44,10 +44,10 @@ BOOST_AUTO_TEST_CASE(the_keys_are_those_of_the_specification) {
                                            "gravity",
                                            "lattice",
                                            "seed"};
-  const std::set<std::string> wanted_run{"start_up", "duration", "collisions_per_particle", "sample_interval", "bins"};
+  const std::set<std::string> wanted_run{"start_up", "duration", "collisions_per_particle", "sample_interval", "bins", "detail"};
   BOOST_TEST((scene == wanted_scene));
   BOOST_TEST((run == wanted_run));
-  BOOST_TEST(scene_keys().size() == 17u);
+  BOOST_TEST(scene_keys().size() == 18u);
 }
 
 BOOST_AUTO_TEST_CASE(the_help_says_all_about_every_key) {
