@@ -32,7 +32,9 @@ seed = 5
 [run]
 start_up = 10
 duration = 30
+detail = "correlations"
 EOT
+arrays() { h5dump -g /arrays "$1" | tail -n +2; }
 
 expect 0 "an undisturbed run" "$gpf" run scene.toml -o whole.h5 --json
 cp out.txt whole.json
@@ -69,6 +71,8 @@ for key in mean_velocity pressure_xy energy_budget; do
   a=$(sed "s/.*\"$key\"://;s/}.*//" whole.json) b=$(sed "s/.*\"$key\"://;s/}.*//" out.txt)
   [ "$a" = "$b" ] || fail "another $key after signals"
 done
+arrays whole.h5 > whole.arrays
+arrays stopped.h5 | cmp -s whole.arrays - || fail "other distributions or correlations after signals"
 ok "the same hash and the same measurements"
 [ ! -e stopped.h5.checkpoint ] || fail "the checkpoint was left behind"
 
@@ -83,6 +87,7 @@ for k in 1 2 3 4 5 6 7 8 9 10; do
 done
 expect 0 "a run killed ten times goes on to its end" "$gpf" run scene.toml -o killed.h5 --resume --json
 [ "$(field trace_hash out.txt)" = "$hash" ] || fail "another hash after kill -9"
+arrays killed.h5 | cmp -s whole.arrays - || fail "other distributions or correlations after kill -9"
 ok "the same hash after kill -9"
 
 expect 2 "an existing record is not overwritten" "$gpf" run scene.toml -o whole.h5
