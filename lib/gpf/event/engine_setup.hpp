@@ -15,8 +15,10 @@ double Engine<Queue, Physics>::epoch_length(const Scene& scene) {
 
 namespace detail {
 
-/// Measured optimum on N = 10^3 ... 10^6 (tests/performance): large cells when dilute, small ones when dense.
-inline double best_disks_per_cell(double area_fraction) { return std::clamp(0.9 / std::sqrt(area_fraction), 1.0, 2.0); }
+/// Larger cells are crossed less often, smaller ones hold fewer disks out of reach. Counted with cachegrind, N = 10^5
+/// (instructions, misses of an 8 MB cache per collision): nu .30, one disk a cell 2519 and 20, two 2456 and 28; nu .05,
+/// 4556 and 40 against 3996 and 42.
+inline double best_disks_per_cell(double area_fraction) { return area_fraction > 0.2 ? 1 : 2; }
 
 }  // namespace detail
 
