@@ -14,12 +14,13 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 12> estimators{
+constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
      {"steady", estimate_steady},
      {"overhead", estimate_overhead},
+     {"cost", estimate_cost},
      {"energy", estimate_energy},
      {"tc", estimate_tc},
      {"lattices", estimate_lattices},

@@ -11,6 +11,7 @@ Evidence estimate_eos_virial(const Claim& claim, Tier tier, const SceneRecords& 
 Evidence estimate_two_codes(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_steady(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_cost(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_tc(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& records);

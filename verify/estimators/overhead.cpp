@@ -1,9 +1,11 @@
-// algo.overhead: events that the engine examines in vain, against the number of disks.
+// algo.overhead and algo.cost: events that the engine examines in vain, and the work of its queues, against the number
+// of disks.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "gpf/event/engine.hpp"
+#include "gpf/event/heap_queue.hpp"
 #include "gpf/scene/start.hpp"
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/parallel.hpp"
@@ -52,14 +54,50 @@ double overhead(const Scene& scene, double collisions) {
   return static_cast<double>(after.stale - before.stale) / static_cast<double>(after.examined() - before.examined());
 }
 
+/// Counts the steps of the queues of one thread.
+struct StepMeter {
+  static thread_local std::uint64_t steps;
+  static void step() { ++steps; }
+};
+thread_local std::uint64_t StepMeter::steps = 0;
+
+/// Steps of the queue per pair collision, in the second half of a run.
+template <class Queue>
+double queue_steps(const Scene& scene, double collisions) {
+  Engine<Queue> engine(scene, start_state(scene));
+  const double span = collisions / scene.reference_collision_rate();
+  engine.advance(span);
+  const std::uint64_t contacts = engine.counts().pair_contacts;
+  StepMeter::steps = 0;
+  engine.advance(2 * span);
+  return static_cast<double>(StepMeter::steps) / static_cast<double>(engine.counts().pair_contacts - contacts);
+}
+
+/// 100, 1000, ... up to the largest number that the tier allows.
+std::vector<int> sizes_of(const Claim& claim, Tier tier) {
+  const double largest = claim.parameter(tier == Tier::quick ? "largest_disks_quick" : "largest_disks_standard");
+  std::vector<int> sizes;
+  for (double disks = 100; disks <= 1.01 * largest; disks *= 10) sizes.push_back(static_cast<int>(disks));
+  return sizes;
+}
+
+/// Slope of log(y) against log(x), least squares.
+double log_slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double lx = std::log(x[k]), ly = std::log(y[k]);
+    sx += lx, sy += ly, sxx += lx * lx, sxy += lx * ly;
+  }
+  const auto n = static_cast<double>(x.size());
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
 }  // namespace
 
 Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords&) {
   const double before = process_cpu_seconds();
-  const double largest = claim.parameter(tier == Tier::quick ? "largest_disks_quick" : "largest_disks_standard");
   const double limit = claim.parameter("limit"), growth = claim.parameter("growth_per_decade");
-  std::vector<int> sizes;
-  for (double disks = 100; disks <= 1.01 * largest; disks *= 10) sizes.push_back(static_cast<int>(disks));
+  const std::vector<int> sizes = sizes_of(claim, tier);
   const std::size_t count = std::size(families) * sizes.size();
   std::vector<double> shares(count);
   for_each_in_parallel(count, [&](std::size_t k) {
@@ -111,6 +149,58 @@ Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords&) {
       "Boxes as long as they are wide. The counts are those of the calendar queue; the heap executes the same events "
       "in "
       "the same order."};
+  return evidence;
+}
+
+Evidence estimate_cost(const Claim& claim, Tier tier, const SceneRecords&) {
+  const double before = process_cpu_seconds();
+  const std::vector<int> sizes = sizes_of(claim, tier);
+  const std::size_t count = std::size(families) * sizes.size();
+  std::vector<double> heap(count), calendar(count);
+  for_each_in_parallel(count, [&](std::size_t k) {
+    const std::size_t job = count - 1 - k;  // the largest first
+    const Scene scene = scene_of(families[job % std::size(families)], sizes[job / std::size(families)]);
+    heap[job] = queue_steps<BasicHeapQueue<StepMeter>>(scene, claim.parameter("collisions_per_disk"));
+    calendar[job] = queue_steps<BasicCalendarQueue<StepMeter>>(scene, claim.parameter("collisions_per_disk"));
+  });
+
+  Evidence evidence;
+  evidence.plot = {.title = "Steps of the event queue",
+                   .xlabel = "number of disks",
+                   .ylabel = "entries looked at per pair collision",
+                   .logx = true,
+                   .series = {}};
+  for (std::size_t f = 0; f < std::size(families); ++f) {
+    Series heaps{.label = fmt::format("heap, {}", families[f].name)},
+        calendars{.label = fmt::format("calendar, {}", families[f].name)};
+    std::vector<double> over_logarithm;
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+      const std::size_t k = s * std::size(families) + f;
+      heaps.x.push_back(sizes[s]), heaps.y.push_back(heap[k]);
+      calendars.x.push_back(sizes[s]), calendars.y.push_back(calendar[k]);
+      over_logarithm.push_back(heap[k] / std::log2(static_cast<double>(sizes[s])));
+    }
+    const auto check = [&](const char* what, const std::vector<double>& x, const std::vector<double>& y) {
+      evidence.checks.push_back({.label = fmt::format("{}: exponent in N of the {}", families[f].name, what),
+                                 .values = {log_slope(x, y)},
+                                 .band = {-1, claim.tolerance_total()},
+                                 .exact = true});
+    };
+    check("heap's steps per collision over log2 N", heaps.x, over_logarithm);
+    check("calendar's steps per collision", calendars.x, calendars.y);
+    evidence.notes.push_back(
+        fmt::format("{}: heap {:.1f} steps per collision at N {} and {:.1f} at N {}; calendar "
+                    "{:.1f} and {:.1f}.",
+                    families[f].name, heaps.y.front(), sizes.front(), heaps.y.back(), sizes.back(), calendars.y.front(),
+                    calendars.y.back()));
+    evidence.plot.series.push_back(std::move(heaps));
+    evidence.plot.series.push_back(std::move(calendars));
+  }
+  evidence.extra_cpu_seconds = process_cpu_seconds() - before;
+  evidence.notes.push_back(
+      "A step is a comparison of two entries of the heap, or a day or an entry of the calendar that is looked at; they "
+      "are counted, not timed, so the answer is the same on every machine. What else a collision costs does not depend "
+      "on N but through the memory: see algo.overhead for the events, tests/performance for nanoseconds.");
   return evidence;
 }
 

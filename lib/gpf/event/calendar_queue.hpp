@@ -12,12 +12,14 @@
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
 #include "gpf/event/huge_pages.hpp"
+#include "gpf/event/queue_meter.hpp"
 
 namespace gpf {
 
 /// One scheduled time per disk. A day holds the events of one stretch of time of about one event; days further ahead
 /// than the calendar is long share its slots and are told apart by their number.
-class CalendarQueue {
+template <class Meter = NoMeter>
+class BasicCalendarQueue {
  public:
   /// Empties the queue for `count` disks and times in [0, horizon]; later ones count as never. `events_per_time` sets
   /// the width of a day: it decides about speed only.
@@ -55,12 +57,15 @@ class CalendarQueue {
     for (;; ++today_) {
       Index best = -1;
       double best_time = never;
-      for (Index i = front_of(today_); i >= 0; i = at(i).next)
+      Meter::step();
+      for (Index i = front_of(today_); i >= 0; i = at(i).next) {
+        Meter::step();
         if (day(at(i).time) <= today_ &&
             (at(i).time < best_time || (at(i).time == best_time && best >= 0 && first(i, best)))) {
           best = i;
           best_time = at(i).time;
         }
+      }
       if (best >= 0) return best;
     }
   }
@@ -109,5 +114,6 @@ class CalendarQueue {
   std::vector<Index, HugePages<Index>> front_;
   std::vector<Entry, HugePages<Entry>> entries_;
 };
+using CalendarQueue = BasicCalendarQueue<>;
 
 }  // namespace gpf

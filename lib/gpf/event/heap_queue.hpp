@@ -7,11 +7,13 @@
 
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/queue_meter.hpp"
 
 namespace gpf {
 
 /// One scheduled time per disk; `heap_` is the thesis' pht, `place_` its inverse pth.
-class HeapQueue {
+template <class Meter = NoMeter>
+class BasicHeapQueue {
  public:
   /// Empties the queue for `count` disks and times in [0, horizon]; later ones count as never.
   void reset(std::size_t count, double horizon, double /*events_per_time*/) {
@@ -44,7 +46,10 @@ class HeapQueue {
 
  private:
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
-  [[nodiscard]] bool before(std::size_t a, std::size_t b) const { return time(heap_[a]) < time(heap_[b]); }
+  [[nodiscard]] bool before(std::size_t a, std::size_t b) const {
+    Meter::step();
+    return time(heap_[a]) < time(heap_[b]);
+  }
 
   /// The first of `best` and the disks below place k that share its time: equal times hang together at the top.
   template <class First>
@@ -79,5 +84,6 @@ class HeapQueue {
   std::vector<double> time_;
   std::vector<Index> heap_, place_;
 };
+using HeapQueue = BasicHeapQueue<>;
 
 }  // namespace gpf
