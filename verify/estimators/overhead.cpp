@@ -197,7 +197,7 @@ Evidence estimate_cost(const Claim& claim, Tier tier, const SceneRecords&) {
     evidence.plot.series.push_back(std::move(calendars));
   }
   evidence.extra_cpu_seconds = process_cpu_seconds() - before;
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "A step is a comparison of two entries of the heap, or a day or an entry of the calendar that is looked at; they "
       "are counted, not timed, so the answer is the same on every machine. What else a collision costs does not depend "
       "on N but through the memory: see algo.overhead for the events, tests/performance for nanoseconds.");

@@ -93,7 +93,7 @@ Evidence estimate_steady(const Claim& claim, Tier, const SceneRecords& records) 
     evidence.notes.push_back(fmt::format("{}: the window begins at time {:g} and ends at {:g}.", name,
                                          replicas.front().run.start_up, replicas.front().time));
   }
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "E is the mean of c.c/2 over all disks, T that of u.u/2 with u about the instantaneous mean of the bin. The "
       "lines "
       "are means over the replicas.");

@@ -38,8 +38,8 @@ class Distributions {
   void on_pair(const PairContact& contact);
   /// `displacement`: of disk `disk` since its last pair contact, in the laboratory; the disk has had one.
   void free_path(std::int32_t disk, const PairContact& contact, Vec2 displacement);
-  /// ux[i]: fluctuation velocity of disk i about the mean of its bin in this state.
-  void sample(const State& state, std::span<const double> ux);
+  /// fluctuation[i]: u_x of disk i about the mean of its bin in this state.
+  void sample(const State& state, std::span<const double> fluctuation);
 
   [[nodiscard]] const NamedArrays& arrays() const { return arrays_; }
   [[nodiscard]] NamedArrays& arrays() { return arrays_; }

@@ -35,7 +35,7 @@ inline const NamedArray& array_named(const NamedArrays& arrays, std::string_view
   const auto found = std::find_if(arrays.begin(), arrays.end(), [name](const NamedArray& a) { return a.name == name; });
   if (found != arrays.end()) return *found;
   throw InputError("a record lacks the array " + std::string(name), "its run measured less than is asked for",
-                   "give the scene detail = \"distributions\" or \"correlations\" in [run] and run it again");
+                   R"(give the scene detail = "distributions" or "correlations" in [run] and run it again)");
 }
 
 }  // namespace gpf

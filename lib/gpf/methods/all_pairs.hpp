@@ -91,18 +91,18 @@ class AllPairs {
   };
   static constexpr std::int32_t look_again = -3;
 
-  [[nodiscard]] Offset nearest_image(const Disk& from, const Disk& to) const;
+  [[nodiscard]] Offset nearest_image(const Disk& a, const Disk& b) const;
   [[nodiscard]] Next wall_contact(std::int32_t i) const;
   [[nodiscard]] Real pair_contact(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] Next prediction(std::int32_t i) const;
-  [[nodiscard]] bool recent(const Disk& disk) const;
+  [[nodiscard]] bool recent(const Disk& a) const;
   std::optional<AllPairsEvent> execute_next(long double until);
   void predict_all();
   void flow(Real dt);
-  void wrap(Disk& disk) const;
+  void wrap(Disk& a) const;
   void collide_pair(Disk& a, Disk& b);
   void collide_wall(Disk& a, Wall wall);
-  void stamp(Disk& disk, bool elastic);
+  void stamp(Disk& a, bool elastic);
 
   [[nodiscard]] Disk& disk(std::int32_t i) { return disks_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Disk& disk(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)]; }

@@ -21,8 +21,8 @@ State lattice(const Scene& scene, int columns, int rows, double speed) {
   const bool channel = scene.geometry == Geometry::channel;
   const double bottom = channel ? scene.diameter() / 2 : 0, height = channel ? 1 - scene.diameter() : 1;
   for (int k = 0; k < columns * rows; ++k) {
-    state.position.push_back(
-        {scene.length() * (k % columns + 0.5) / columns, bottom + height * (k / columns + 0.5) / rows});
+    const int column = k % columns, row = k / columns;
+    state.position.push_back({scene.length() * (column + 0.5) / columns, bottom + height * (row + 0.5) / rows});
     state.velocity.push_back(speed * gaussian_pair(scene.seed, static_cast<std::uint64_t>(k)));
   }
   return state;
