@@ -99,7 +99,7 @@ class ReportWriter {
 fs::path write_report(const ReportData& data, const fs::path& output) {
   ReportWriter writer(output);
   for (const JudgedClaim& judged : data.claims) writer.claim(judged);
-  const fs::path front = writer.front(data);
+  fs::path front = writer.front(data);
   writer.remove_leftovers();
   return front;
 }

@@ -63,7 +63,7 @@ struct RunOptions {
 
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "-";
-  const auto s = static_cast<long>(seconds + 0.5);
+  const auto s = std::lround(seconds);
   return s < 60     ? fmt::format("{} s", s)
          : s < 3600 ? fmt::format("{} min {:02} s", s / 60, s % 60)
                     : fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);

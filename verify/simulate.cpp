@@ -50,7 +50,7 @@ class Simulation {
     if (!options_.resume || !path || !std::filesystem::exists(*path)) {
       const State start = start_state(file_.scene);
       if (first_measured_ == 0) measurement_.begin(0, start);
-      return Engine<>(file_.scene, start);
+      return {file_.scene, start};
     }
     const Checkpoint c = read_checkpoint(file_.scene, file_.run, *path);
     measurement_.restore(c.measurement);
@@ -61,7 +61,7 @@ class Simulation {
     wall_before_ = c.wall_seconds;
     cpu_before_ = c.cpu_seconds;
     contacts_at_start_ = c.engine.counts.pair_contacts;
-    return Engine<>(file_.scene, c.engine);
+    return {file_.scene, c.engine};
   }
 
   void take_sample(double time) {

@@ -85,7 +85,7 @@ void check_collapse(const Claim& claim, Evidence& evidence) {
                                .exact = true});
     evidence.checks.push_back(
         {.label = name + ", TC model: the same", .values = {with[k].at_once}, .band = {0, 0}, .exact = true});
-    evidence.notes.push_back(
+    evidence.notes.emplace_back(
         fmt::format("{}, N {}: without the TC model time stood still for a disk before t = {:.2f}; "
                     "with it the run reached its end at t = {:g}.",
                     name, cases[k].disks, without[k].time, with[k].time));
@@ -153,7 +153,7 @@ Evidence estimate_tc(const Claim& claim, Tier, const SceneRecords& records) {
                  *std::max_element(temperature.begin(), temperature.end()), claim.tolerance_total(), evidence);
     }
   }
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "Collision rates are no result in this sense: the shorter t_c, the more of the collisions of a cluster are "
       "inelastic ones that hardly move anything, and the rate grows by factors where the fields stay.");
   return evidence;

@@ -139,12 +139,12 @@ Evidence estimate_momentum_balance(const Claim& claim, Tier, const SceneRecords&
     check_pressure(claim, scene, evidence);
     check_shear(claim, scene, evidence);
     const double unit = 4 / (std::numbers::pi * square(scene.scene().diameter()));  // rho_p g W for m = g = W = 1
-    evidence.notes.push_back(
+    evidence.notes.emplace_back(
         fmt::format("{}: wall pressure {:.4g}, wall shear stress {:.4g} (nu/2 = {:.4g}) in rho_p g W.", scene.name(),
                     over_replicas(wall_mean(scene, "wall_pressure")).mean / unit,
                     over_replicas(wall_mean(scene, "wall_shear")).mean / unit, scene.scene().area_fraction() / 2));
   }
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "Stress: kinetic part about the bin's mean, collisional part shared along the line of contact over the bins that "
       "it crosses, the wall's contact line included. The bins y and W - y are averaged.");
   return evidence;

@@ -21,7 +21,7 @@ class History {
  public:
   static constexpr std::size_t most_moments = 2048;
 
-  void offer(double time, const State& state, int bins);
+  void offer(double now, const State& state, int bins);
 
   std::uint64_t stride = 1, offered = 0;
   std::vector<double> time, energy, temperature;
