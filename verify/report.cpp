@@ -9,6 +9,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/plot.hpp"
 #include "verify/report_claim_page.hpp"
+#include "verify/report_errata.hpp"
 #include "verify/report_front_page.hpp"
 #include "verify/report_pictures.hpp"
 
@@ -56,6 +57,13 @@ class ReportWriter {
     write(claim_page(judged, pictures), fmt::format("claims/{}.md", id));
   }
 
+  void errata(const ReportData& data) {
+    if (data.errata.empty()) return;
+    std::set<std::string> pages;
+    for (const JudgedClaim& judged : data.claims) pages.insert(judged.claim.id);
+    write(errata_page(data.errata, pages), "errata.md");
+  }
+
   fs::path front(const ReportData& data) {
     std::string link, caption;
     if (const auto picture = bias_and_scatter(data.claims)) {
@@ -74,6 +82,9 @@ class ReportWriter {
     for (const std::string& id : ids)
       for (const std::string& name : {"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"})
         if (!written_.contains(name)) fs::remove(output_ / name);
+    const fs::path errata = output_ / "errata.md";
+    if (!written_.contains("errata.md") && fs::exists(errata) && read_text(errata).starts_with(page_marker))
+      fs::remove(errata);
     if (!written_.contains("bias-and-scatter.svg")) fs::remove(output_ / "bias-and-scatter.svg");
   }
 
@@ -99,6 +110,7 @@ class ReportWriter {
 fs::path write_report(const ReportData& data, const fs::path& output) {
   ReportWriter writer(output);
   for (const JudgedClaim& judged : data.claims) writer.claim(judged);
+  writer.errata(data);
   fs::path front = writer.front(data);
   writer.remove_leftovers();
   return front;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gpf/base/error.hpp"
@@ -50,6 +51,19 @@ void add_provenance(ReportData& data, const std::string& text, const std::filesy
     throw InputError(fmt::format("the provenance in '{}' cannot be read", path.string()), error.what(),
                      "delete the file and validate again");
   }
+}
+
+/// Errata of the source; each claim that they name must have a file.
+std::vector<Erratum> errata_of(const std::filesystem::path& reference, const std::vector<Claim>& claims) {
+  const std::filesystem::path path = reference / "errata.toml";
+  if (!std::filesystem::exists(path)) return {};
+  std::vector<Erratum> errata = load_errata(path);
+  for (const Erratum& erratum : errata)
+    for (const std::string& id : erratum.claims)
+      if (std::none_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == id; }))
+        throw InputError(fmt::format("{}: erratum '{}' names claim '{}'", path.string(), erratum.id, id),
+                         "there is no such claim file", "correct its claims");
+  return errata;
 }
 
 class Loader {
@@ -110,6 +124,7 @@ class Loader {
 
 ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference) {
   std::vector<Claim> claims = load_claims(reference / "claims");
+  std::vector<Erratum> errata = errata_of(reference, claims);
   std::erase_if(claims, [tier](const Claim& c) { return !c.judged_in(tier); });
   std::vector<std::string> missing;
   for (const Claim& claim : claims)
@@ -123,7 +138,9 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
                      fmt::format("{}", fmt::join(missing, ", ")), validate_command(tier));
   Loader loader(tier, store);
   for (Claim& claim : claims) loader.add(std::move(claim));
-  return std::move(loader).finish();
+  ReportData data = std::move(loader).finish();
+  data.errata = std::move(errata);
+  return data;
 }
 
 }  // namespace gpf

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/claim.hpp"
+#include "verify/errata.hpp"
 #include "verify/judge.hpp"
 
 namespace gpf {
@@ -34,6 +35,7 @@ struct ReportData {
   Tier tier = Tier::quick;
   std::vector<JudgedClaim> claims;          ///< by id
   std::map<std::string, SceneCost> scenes;  ///< by name
+  std::vector<Erratum> errata;              ///< of the source, in its order; none: no page
   ProvenanceFacts provenance;               ///< "version", "commit", "compiler", "flags", "libraries", "cpu", "system"
   std::set<std::string> dates;              ///< of the runs, "2024-05-06"
   std::uint64_t collisions = 0;             ///< of all runs, each counted once
@@ -41,9 +43,11 @@ struct ReportData {
   double cpu_seconds = 0;  ///< of all runs, each counted once, and of the estimators
 };
 
-/// Everything of a tier, from <reference>/claims and the store; runs nothing and judges nothing.
+/// Everything of a tier, from <reference>/claims, <reference>/errata.toml (where there is one) and the store; runs
+/// nothing and judges nothing.
 /// Throws InputError when a claim of the tier has no verdict, or one on another text of the claim, another physics
-/// version or other runs, or when a record is gone; StorageError when a file cannot be read.
+/// version or other runs, when a record is gone, or when an erratum names a claim without a file; StorageError when a
+/// file cannot be read.
 ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference);
 
 }  // namespace gpf

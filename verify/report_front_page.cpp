@@ -58,6 +58,13 @@ std::string departures(const ReportData& data) {
   return text.empty() ? "" : "\n## Expected to be refuted or unresolved\n\n" + text;
 }
 
+std::string errata_link(const ReportData& data) {
+  if (data.errata.empty()) return {};
+  return fmt::format(
+      "\n## Errata of the source\n\n[{} place(s)](errata.md) where the source cannot mean what it prints.\n",
+      data.errata.size());
+}
+
 std::string claims_table(const ReportData& data) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [claim, verdict] : data.claims) {
@@ -140,7 +147,7 @@ std::string front_page(const ReportData& data, const std::string& picture, const
         "Each point is a check, in half widths of its band around the band's centre; the bar is its "
         "confidence interval.\nA claim passes when all its bars lie in the shaded band.{}\n",
         picture, picture_caption);
-  return text + departures(data) + runs_table(data) + reproduction(data) + provenance(data);
+  return text + departures(data) + errata_link(data) + runs_table(data) + reproduction(data) + provenance(data);
 }
 
 }  // namespace gpf

@@ -14,7 +14,7 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
+constexpr std::array<std::pair<std::string_view, Estimator>, 26> estimators{
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
@@ -26,6 +26,19 @@ constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
      {"lattices", estimate_lattices},
      {"smooth_fields", estimate_smooth_fields},
      {"kurtosis", estimate_kurtosis},
+     {"kurtosis_y", estimate_kurtosis_y},
+     {"rough_centre", estimate_rough_centre},
+     {"rough_wall", estimate_rough_wall},
+     {"rough_beta", estimate_rough_beta},
+     {"moderate_asymmetry", estimate_moderate_asymmetry},
+     {"shear_asymmetry", estimate_shear_asymmetry},
+     {"wall_gaussian", estimate_wall_gaussian},
+     {"skewness_elastic", estimate_skewness_elastic},
+     {"skewness_dissipation", estimate_skewness_dissipation},
+     {"skewness_density", estimate_skewness_density},
+     {"plug_forms", estimate_plug_forms},
+     {"plug_density", estimate_plug_density},
+     {"shear_layer", estimate_shear_layer},
      {"momentum_balance", estimate_momentum_balance},
      {"energy_balance", estimate_energy_balance}}};
 

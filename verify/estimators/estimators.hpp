@@ -19,6 +19,19 @@ Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& re
 // Chapter 3: fields and velocity distributions.
 Evidence estimate_smooth_fields(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kurtosis(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kurtosis_y(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_rough_centre(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_rough_wall(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_rough_beta(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_moderate_asymmetry(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_shear_asymmetry(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_wall_gaussian(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_skewness_elastic(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_skewness_dissipation(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_skewness_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_forms(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_shear_layer(const Claim& claim, Tier tier, const SceneRecords& records);
 
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
