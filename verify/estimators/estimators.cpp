@@ -14,7 +14,7 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
+constexpr auto estimators = std::to_array<std::pair<std::string_view, Estimator>>(
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
@@ -27,7 +27,16 @@ constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
      {"smooth_fields", estimate_smooth_fields},
      {"kurtosis", estimate_kurtosis},
      {"momentum_balance", estimate_momentum_balance},
-     {"energy_balance", estimate_energy_balance}}};
+     {"energy_balance", estimate_energy_balance},
+     {"liquid_order", estimate_liquid_order},
+     {"plug_order", estimate_plug_order},
+     {"dense_order", estimate_dense_order},
+     {"elastic_correlations", estimate_elastic_correlations},
+     {"plug_correlations", estimate_plug_correlations},
+     {"dense_correlations", estimate_dense_correlations},
+     {"cross_correlations", estimate_cross_correlations},
+     {"vortex", estimate_vortex},
+     {"autocorrelation", estimate_autocorrelation}});
 
 }  // namespace
 
