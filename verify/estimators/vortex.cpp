@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gpf/measure/bins.hpp"
+#include "verify/estimators/correlation_windows.hpp"
 #include "verify/estimators/estimators.hpp"
-#include "verify/estimators/pair_functions.hpp"
 
 namespace gpf {
 namespace {
@@ -62,26 +62,19 @@ Evidence estimate_vortex(const Claim&, Tier, const SceneRecords& records) {
     const double length = scene.scene().length() * scene.scene().width_over_diameter;
     const int centre = scene.half() - 1;
     const std::vector<PairFunctions> pairs = pair_functions(scene, centre);
-    const auto correlation = [&](double from, double to, Mean mean) {
-      return per_replica(pairs.size(), [&](std::size_t r) {
-        return pairs[r].mean_correlation(Component::xx, from, to, mean) -
-               (mean == Mean::instantaneous ? pairs[r].forced_offset() : 0);
-      });
-    };
     evidence.checks.push_back({.label = fmt::format("{}, L/d {:.0f}: C_xx at 10 to 12 d in the plug", label, length),
-                               .values = correlation(10, 12, Mean::instantaneous),
+                               .values = mean_in(far_window, cxx, pairs),
                                .band = negative});
     std::string profile;
     for (const double from : {1.0, 2.0, 4.0, 6.0, 8.0, 10.0})
-      profile +=
-          fmt::format(" {:.3f}", over_replicas(correlation(from, from < 2 ? 2 : from + 2, Mean::instantaneous)).mean);
+      profile += fmt::format(" {:.3f}", over_replicas(mean_in({from, from < 2 ? 2 : from + 2}, cxx, pairs)).mean);
     std::vector<Snapshot> snapshots;
     for (const Record& record : scene.records())
       for (const int bin : {centre, scene.bins() - 1 - centre}) snapshots.push_back(snapshot_of(record, bin));
     std::string along;
     for (int eighth = 0; eighth < 4; ++eighth)
       along += fmt::format(" {:.2f}", snapshot_correlation(snapshots, length, eighth / 8.0, (eighth + 1) / 8.0));
-    const Estimate about_long_time = over_replicas(correlation(10, 12, Mean::long_time));
+    const Estimate about_long_time = over_replicas(mean_in(far_window, cxx_long_time, pairs));
     evidence.notes.push_back(fmt::format(
         "{}, L/d {:.0f}: C_xx of the plug at r/d 1-2, 2-4, 4-6, 6-8, 8-10, 10-12:{}; at 10-12 about the long-time mean "
         "{:.3f} +- {:.3f}. In the {} final snapshots, by distance along x in eighths of L up to L/2:{}.",
