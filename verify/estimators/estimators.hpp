@@ -33,6 +33,17 @@ Evidence estimate_plug_forms(const Claim& claim, Tier tier, const SceneRecords& 
 Evidence estimate_plug_density(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_shear_layer(const Claim& claim, Tier tier, const SceneRecords& records);
 
+// Chapter 3: order and correlations.
+Evidence estimate_liquid_order(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_order(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_dense_order(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_elastic_correlations(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_correlations(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_dense_correlations(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_cross_correlations(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_vortex(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_autocorrelation(const Claim& claim, Tier tier, const SceneRecords& records);
+
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy_balance(const Claim& claim, Tier tier, const SceneRecords& records);
