@@ -14,7 +14,7 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 12> estimators{
+constexpr std::array<std::pair<std::string_view, Estimator>, 23> estimators{
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
@@ -25,6 +25,17 @@ constexpr std::array<std::pair<std::string_view, Estimator>, 12> estimators{
      {"lattices", estimate_lattices},
      {"smooth_fields", estimate_smooth_fields},
      {"kurtosis", estimate_kurtosis},
+     {"stress_theory", estimate_stress_theory},
+     {"stress_enskog", estimate_stress_enskog},
+     {"stress_misfit", estimate_stress_misfit},
+     {"stress_divergence", estimate_stress_divergence},
+     {"n1_elastic", estimate_n1_elastic},
+     {"n1_dissipation", estimate_n1_dissipation},
+     {"n1_reversal", estimate_n1_reversal},
+     {"n1_critical", estimate_n1_critical},
+     {"n1_kinetic", estimate_n1_kinetic},
+     {"n1_collisional", estimate_n1_collisional},
+     {"n1_phase", estimate_n1_phase},
      {"momentum_balance", estimate_momentum_balance},
      {"energy_balance", estimate_energy_balance}}};
 

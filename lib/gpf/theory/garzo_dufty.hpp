@@ -1,6 +1,6 @@
-// Inelastic Enskog theory of disks: pressure and shear viscosity at any restitution (Garzo & Dufty, PRE 59, 5895 (1999),
-// for d dimensions and with the modified first Sonine approximation of Garzo, Santos & Montanero, Physica A 376, 94
-// (2007), at d = 2).
+// Inelastic Enskog theory of disks: pressure and shear viscosity at any restitution (Garzo & Dufty, PRE 59, 5895
+// (1999), for d dimensions and with the modified first Sonine approximation of Garzo, Santos & Montanero, Physica A
+// 376, 94 (2007), at d = 2).
 #pragma once
 
 #include "gpf/theory/enskog.hpp"

@@ -15,8 +15,8 @@ constexpr Gas jenkins_richman_gas(double area_fraction, double granular_temperat
 /// Phys. Fluids 28, 3485 (1985)). To first order in 1 - e: Enskog's with restitution has (1 + e) G instead of 2 G.
 double jenkins_richman_pressure(const Gas& gas);
 
-/// P_xy = -mu dU/dy, the flux of x momentum along +y. mu is shear_viscosity(gas), half the right side of eq 4.9; eq 4.12
-/// as printed lacks the shear rate.
+/// P_xy = -mu dU/dy, the flux of x momentum along +y. mu is shear_viscosity(gas), half the right side of eq 4.9;
+/// eq 4.12 as printed lacks the shear rate.
 double jenkins_richman_shear_stress(const Gas& gas, double shear_rate);
 
 }  // namespace gpf
