@@ -44,6 +44,19 @@ Evidence estimate_cross_correlations(const Claim& claim, Tier tier, const SceneR
 Evidence estimate_vortex(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_autocorrelation(const Claim& claim, Tier tier, const SceneRecords& records);
 
+// Chapter 4: stresses and the first normal stress difference.
+Evidence estimate_stress_theory(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_stress_enskog(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_stress_misfit(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_stress_divergence(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_elastic(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_dissipation(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_reversal(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_critical(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_kinetic(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& records);
+
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy_balance(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -1,0 +1,64 @@
+#include "verify/estimators/normal_stress_crossing.hpp"
+
+#include <fmt/format.h>
+
+namespace gpf {
+namespace {
+
+/// Error rate at each end of Fieller's interval in a note.
+constexpr double alpha = 0.01;
+
+}  // namespace
+
+std::vector<double> density_of(const SceneValues& scene, Density density) {
+  if (density == Density::local) return scene.mirrored("area_fraction", scene.half() - 1);
+  return std::vector<double>(scene.replicas(), scene.scene().area_fraction());
+}
+
+std::string name_of(Density density) { return density == Density::local ? "nu_bin" : "nu"; }
+
+std::vector<double> centre_value(const SceneValues& scene, StressPart part, MeanFlow mean) {
+  return first_normal_stress_difference(scene, scene.half() - 1, part, mean);
+}
+
+SignChange sign_change(const SceneRow& row, StressPart part, Density density, MeanFlow mean) {
+  SignChange change;
+  for (std::size_t k = 0; k + 1 < row.scenes.size(); ++k)
+    if (over_replicas(centre_value(*row.scenes[k], part, mean)).mean > 0 &&
+        over_replicas(centre_value(*row.scenes[k + 1], part, mean)).mean <= 0) {
+      change.below = row.scenes[k];
+      change.above = row.scenes[k + 1];
+    }
+  if (!change.found()) return change;
+  const std::vector<double> x_below = density_of(*change.below, density), x_above = density_of(*change.above, density),
+                            y_below = centre_value(*change.below, part, mean),
+                            y_above = centre_value(*change.above, part, mean);
+  const std::size_t replicas = std::min(y_below.size(), y_above.size());
+  change.densities = per_replica(replicas, [&](std::size_t r) {
+    return x_below[r] + (x_above[r] - x_below[r]) * y_below[r] / (y_below[r] - y_above[r]);
+  });
+  if (replicas < 2) return change;
+  const std::vector<double> x{over_replicas(x_below).mean, over_replicas(x_above).mean};
+  const std::vector<Estimate> y{over_replicas(y_below), over_replicas(y_above)};
+  if (!(y[0].error > 0) || !(y[1].error > 0)) return change;
+  change.crossing =
+      zero_crossing(fit_line(x, y), student_t_quantile(1 - alpha, static_cast<double>(2 * (replicas - 1))));
+  return change;
+}
+
+std::string text_of(const SignChange& change, Density density) {
+  if (!change.found()) return "no change of sign";
+  return fmt::format("{} {:.3f} (Fieller's 98 % interval {:.3f} to {:.3f}; between the scenes of nu {:.3g} and {:.3g})",
+                     name_of(density), over_replicas(change.densities).mean, change.crossing.interval.lo,
+                     change.crossing.interval.hi, change.below->scene().area_fraction(),
+                     change.above->scene().area_fraction());
+}
+
+Series centre_series(const SceneRow& row, StressPart part, Density density, std::string label) {
+  Series points{.label = std::move(label)};
+  for (const SceneValues* scene : row.scenes)
+    add_point(points, over_replicas(density_of(*scene, density)).mean, centre_value(*scene, part));
+  return points;
+}
+
+}  // namespace gpf
