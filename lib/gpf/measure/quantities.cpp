@@ -12,7 +12,9 @@ namespace gpf {
 
 namespace {
 
-double ratio(double a, double b) { return b > 0 ? a / b : std::numeric_limits<double>::quiet_NaN(); }
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+double ratio(double a, double b) { return b > 0 ? a / b : not_measured; }
 
 /// Central moments 2, 3, 4 from the first four raw ones.
 struct Central {
@@ -106,6 +108,11 @@ class Derivation {
     put("mean_free_path_lab", lab);
     put("knudsen_number", peculiar);  // W = 1
     put("knudsen_number_lab", lab);
+    if (scene_.geometry == Geometry::channel) {
+      const double flights = 2 * total(pair_contacts) + total(wall_contacts, lower) + total(wall_contacts, upper);
+      const double speeds = ratio(total(speed), total(samples));
+      put("knudsen_number_any_contact", ratio(speeds * total(measured_time), flights));
+    }
   }
 
   /// p A = KE + (1/2) sum of r.J per time; with zero total momentum T = KE/(N - 1) and p A/(N T) = Z_N - 1/N.
@@ -117,7 +124,7 @@ class Derivation {
     put("temperature", temperature);
     put("compressibility_finite", finite);
     put("compressibility", scene_.particles < 2
-                               ? std::numeric_limits<double>::quiet_NaN()
+                               ? not_measured
                                : infinite_system_compressibility(finite, scene_.area_fraction(), scene_.particles));
   }
 
@@ -132,6 +139,7 @@ class Derivation {
     put("slip_velocity", 0.5 * (velocity(0) + velocity(last)) / centre);
     put("slip_velocity_lower", velocity(0) / centre);
     put("slip_velocity_upper", velocity(last) / centre);
+    near_walls(velocity, centre);
     put("wall_pressure_lower", ratio(total(wall_normal, lower), time * length));
     put("wall_pressure_upper", ratio(total(wall_normal, upper), time * length));
     put("wall_shear_lower", ratio(total(wall_tangential, lower), time * length));
@@ -144,6 +152,31 @@ class Derivation {
     put("energy_residual", ratio(total(gravity_work) - total(Tally::pair_loss) - total(wall_loss, lower) -
                                      total(wall_loss, upper) - total(Tally::energy_change),
                                  time));
+  }
+
+  /// Gradients are taken along the inward normal of each wall and averaged over the two walls; `h` is the bins' width.
+  template <class Velocity>
+  void near_walls(Velocity&& velocity, double centre) {
+    using enum Tally;
+    const int last = layout_.bins() - 1;
+    const auto temperature = [this](int b) {
+      return 0.5 * (ratio(total(ux2, b), total(freedom, b)) + ratio(total(cy2, b), total(count, b)));
+    };
+    const auto at_wall = [=](const auto& field, int b) { return 0.5 * (field(b) + field(last - b)); };
+    const double per_h = layout_.bins();
+    const auto difference = [=](const auto& field) {
+      return last < 1 ? not_measured : (at_wall(field, 1) - at_wall(field, 0)) * per_h;
+    };
+    const auto extrapolated = [=](const auto& field) {
+      return last < 2 ? not_measured : (-2 * at_wall(field, 0) + 3 * at_wall(field, 1) - at_wall(field, 2)) * per_h;
+    };
+    put("wall_gradient", difference(velocity));
+    put("wall_gradient_extrapolated", extrapolated(velocity));
+    put("wall_gradient_relative", difference(velocity) / centre);
+    put("wall_gradient_relative_extrapolated", extrapolated(velocity) / centre);
+    put("wall_temperature", at_wall(temperature, 0));
+    put("wall_temperature_gradient", difference(temperature));
+    put("wall_temperature_gradient_extrapolated", extrapolated(temperature));
   }
 
   const Scene& scene_;

@@ -32,7 +32,12 @@ struct Quantity {
 /// One value: collision_rate (per disk), mean_free_path (peculiar: <|u|>/rate), mean_free_path_lab (mean laboratory
 /// displacement between successive pair contacts of a disk), and for a periodic scene temperature (energy/(N - 1)),
 /// compressibility_finite p A/(N T) and compressibility (corrected to infinite N); for a channel mean_flow Q,
-/// slip_velocity U_w/U_0, slip_velocity_lower, _upper, knudsen_number and knudsen_number_lab (free path/W),
+/// centre_velocity U_0 (the two bins, or the one, at the centre plane), slip_velocity U_w/U_0 (U_w: bins next to the
+/// walls), slip_velocity_lower, _upper, knudsen_number and knudsen_number_lab (free path/W, the two paths above; that
+/// of the thesis is the second), knudsen_number_any_contact (length of the way between contacts with disks or walls),
+/// wall_gradient dU/dy and wall_gradient_relative (dU/dy)/U_0 at the walls, along the inward normal: difference of bins
+/// 1 and 2 over their width, or with _extrapolated the slope at the wall itself of the parabola through bins 1, 2, 3,
+/// wall_temperature (bins next to the walls), wall_temperature_gradient and _gradient_extrapolated in the same way,
 /// wall_pressure_lower, _upper, wall_shear_lower, _upper (force per length on the wall), and the energy budget as
 /// rates: gravity_power, pair_loss, wall_loss_lower, _upper, energy_change, energy_residual = gravity_power - losses -
 /// energy_change.

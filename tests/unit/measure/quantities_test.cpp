@@ -1,5 +1,6 @@
 #include "gpf/measure/quantities.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
@@ -127,6 +128,52 @@ BOOST_AUTO_TEST_CASE(a_bin_without_disks_is_not_measured) {
   BOOST_TEST(std::isnan(q.at("mean_velocity")[1]));
   BOOST_TEST(q.at("area_fraction")[1] == 0);
   BOOST_TEST(std::isnan(q.at("velocity_variance_x")[0]));  // one disk has no variance
+}
+
+/// U = 2 + 7 y - 3 y^2 and T = 1 + 4 y - 5 y^2 from each wall: what stands at the walls follows by hand.
+BOOST_AUTO_TEST_CASE(gradients_at_the_walls) {
+  Scene scene;
+  scene.geometry = Geometry::channel;
+  scene.particles = 100;
+  scene.width_over_diameter = 20;
+  scene.length_over_width = 1;
+  scene.gravity = 1;
+  const auto derived = [&](int bins) {
+    const TallyLayout layout(bins);
+    std::vector<double> totals(layout.size(), 0);
+    const auto set = [&](Tally t, int k, double value) { totals[layout.at(t, k)] = value; };
+    set(Tally::measured_time, 0, 2);
+    set(Tally::samples, 0, 4);
+    set(Tally::speed, 0, 4 * 100 * 3.0);
+    set(Tally::pair_contacts, 0, 500);
+    set(Tally::wall_contacts, lower, 150);
+    set(Tally::wall_contacts, upper, 50);
+    for (int b = 0; b < bins; ++b) {
+      const int from_wall = std::min(b, bins - 1 - b);
+      const double y = (from_wall + 0.5) / bins, temperature = 1 + 4 * y - 5 * y * y;
+      set(Tally::count, b, 10);
+      set(Tally::freedom, b, 8);
+      set(Tally::cx, b, 10 * (2 + 7 * y - 3 * y * y));
+      set(Tally::ux2, b, 8 * temperature);
+      set(Tally::cy2, b, 10 * temperature);
+    }
+    std::map<std::string, double> values;
+    for (const Quantity& q : derive_quantities(scene, layout, totals)) values[q.name] = q.values[0];
+    return values;
+  };
+  const auto close = tt::tolerance(1e-12);
+  const auto q = derived(10);
+  const double centre = 2 + 7 * 0.45 - 3 * 0.45 * 0.45;
+  BOOST_TEST(q.at("wall_gradient") == 7 - 3 * 0.2, close);       // between y = .05 and .15
+  BOOST_TEST(q.at("wall_gradient_extrapolated") == 7.0, close);  // exact for a parabola
+  BOOST_TEST(q.at("wall_gradient_relative") == (7 - 3 * 0.2) / centre, close);
+  BOOST_TEST(q.at("wall_gradient_relative_extrapolated") == 7 / centre, close);
+  BOOST_TEST(q.at("wall_temperature") == 1 + 4 * 0.05 - 5 * 0.0025, close);
+  BOOST_TEST(q.at("wall_temperature_gradient") == 4 - 5 * 0.2, close);
+  BOOST_TEST(q.at("wall_temperature_gradient_extrapolated") == 4.0, close);
+  BOOST_TEST(q.at("knudsen_number_any_contact") == 100 * 3.0 * 2 / 1200, close);  // 1200 flights of 100 disks
+  BOOST_TEST(std::isnan(derived(2).at("wall_gradient_extrapolated")));
+  BOOST_TEST(std::isnan(derived(1).at("wall_gradient")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
