@@ -14,7 +14,7 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
+constexpr std::array<std::pair<std::string_view, Estimator>, 19> estimators{
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
@@ -26,6 +26,12 @@ constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
      {"lattices", estimate_lattices},
      {"smooth_fields", estimate_smooth_fields},
      {"kurtosis", estimate_kurtosis},
+     {"plug_tails", estimate_plug_tails},
+     {"dense_tails", estimate_dense_tails},
+     {"same_distributions", estimate_same_distributions},
+     {"rough_wall_peak", estimate_rough_wall_peak},
+     {"hump", estimate_hump},
+     {"cx_wall", estimate_cx_wall},
      {"momentum_balance", estimate_momentum_balance},
      {"energy_balance", estimate_energy_balance}}};
 

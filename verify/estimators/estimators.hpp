@@ -19,6 +19,12 @@ Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& re
 // Chapter 3: fields and velocity distributions.
 Evidence estimate_smooth_fields(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kurtosis(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_tails(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_dense_tails(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_same_distributions(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_rough_wall_peak(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_hump(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_cx_wall(const Claim& claim, Tier tier, const SceneRecords& records);
 
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
