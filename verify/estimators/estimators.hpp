@@ -56,6 +56,12 @@ Evidence estimate_n1_critical(const Claim& claim, Tier tier, const SceneRecords&
 Evidence estimate_n1_kinetic(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_plug_tails(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_dense_tails(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_same_distributions(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_rough_wall_peak(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_hump(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_cx_wall(const Claim& claim, Tier tier, const SceneRecords& records);
 
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
