@@ -58,6 +58,7 @@ constexpr auto estimators = std::to_array<std::pair<std::string_view, Estimator>
      {"autocorrelation", estimate_autocorrelation},
      {"stress_theory", estimate_stress_theory},
      {"stress_enskog", estimate_stress_enskog},
+     {"stress_size", estimate_stress_size},
      {"stress_misfit", estimate_stress_misfit},
      {"stress_divergence", estimate_stress_divergence},
      {"n1_elastic", estimate_n1_elastic},

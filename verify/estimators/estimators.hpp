@@ -47,6 +47,7 @@ Evidence estimate_autocorrelation(const Claim& claim, Tier tier, const SceneReco
 // Chapter 4: stresses and the first normal stress difference.
 Evidence estimate_stress_theory(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_stress_enskog(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_stress_size(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_stress_misfit(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_stress_divergence(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_elastic(const Claim& claim, Tier tier, const SceneRecords& records);

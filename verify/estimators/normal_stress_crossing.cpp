@@ -2,11 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace gpf {
 namespace {
 
 /// Error rate at each end of Fieller's interval in a note.
 constexpr double alpha = 0.01;
+
+Series centre_series(const SceneRow& row, StressPart part, Density density, std::string label) {
+  Series points{.label = std::move(label)};
+  for (const SceneValues* scene : row.scenes)
+    add_point(points, over_replicas(density_of(*scene, density)).mean, centre_value(*scene, part));
+  return points;
+}
 
 }  // namespace
 
@@ -54,11 +64,36 @@ std::string text_of(const SignChange& change, Density density) {
                      change.above->scene().area_fraction());
 }
 
-Series centre_series(const SceneRow& row, StressPart part, Density density, std::string label) {
-  Series points{.label = std::move(label)};
-  for (const SceneValues* scene : row.scenes)
-    add_point(points, over_replicas(density_of(*scene, density)).mean, centre_value(*scene, part));
-  return points;
+std::vector<std::string> crossing_notes(const SceneRow& row) {
+  std::vector<std::string> notes;
+  for (const StressPart part : {StressPart::both, StressPart::collisional})
+    for (const Density density : {Density::mean, Density::local})
+      notes.push_back(fmt::format("{}: {} changes sign at {}.", row.label(), symbol_of(part),
+                                  text_of(sign_change(row, part, density), density)));
+  notes.push_back(
+      fmt::format("{}: about the long-time mean flow N_1 changes sign at {}.", row.label(),
+                  text_of(sign_change(row, StressPart::both, Density::mean, MeanFlow::long_time), Density::mean)));
+  return notes;
+}
+
+void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+  for (std::string& note : more) notes.push_back(std::move(note));
+}
+
+Plot centre_plot(const std::vector<SceneRow>& rows, StressPart part, Density density) {
+  Plot plot{.title = fmt::format("{} at the centre", symbol_of(part)),
+            .xlabel = density == Density::mean ? "mean area fraction" : "area fraction of the centre bins",
+            .ylabel = symbol_of(part)};
+  for (const SceneRow& row : rows) {
+    plot.series.push_back(centre_series(row, part, density, row.label()));
+    const Series& points = plot.series.back();
+    plot.series.push_back({.style = SeriesStyle::line, .x = points.x, .y = points.y});
+  }
+  double most = 0;
+  for (const Series& series : plot.series)
+    for (const double x : series.x) most = std::max(most, x);
+  plot.series.push_back({.style = SeriesStyle::line, .x = {0, most}, .y = {0, 0}});
+  return plot;
 }
 
 }  // namespace gpf

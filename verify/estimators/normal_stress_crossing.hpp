@@ -32,7 +32,16 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
 /// "nu 0.18 (0.16 to 0.20; between 0.15 and 0.3)", or that there is none.
 std::string text_of(const SignChange& change, Density density);
 
-/// The values of a row against a density, with error bars.
-Series centre_series(const SceneRow& row, StressPart part, Density density, std::string label);
+/// Where N_1 and its collisional part change sign along a row, in every reading; sentences.
+std::vector<std::string> crossing_notes(const SceneRow& row);
+void append(std::vector<std::string>& notes, std::vector<std::string> more);
+
+/// The rows' values at the centre against a density: points with error bars, joined, and the line of zero.
+Plot centre_plot(const std::vector<SceneRow>& rows, StressPart part, Density density);
+
+/// What the numbers are, for the page.
+inline constexpr char centre_definition[] =
+    "N_1 = (P_xx - P_yy)/p in the centre pair of bins, P compressive positive; N_1^k and N_1^c are the shares of the "
+    "kinetic and the collisional stress, over the same whole p. Kinetic part about the instantaneous mean of the bin.";
 
 }  // namespace gpf

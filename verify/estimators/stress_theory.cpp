@@ -149,4 +149,48 @@ Evidence estimate_stress_enskog(const Claim& claim, Tier, const SceneRecords& re
   return evidence;
 }
 
+// Claim stress.size (sec. 4.1.1). The scene with more disks less the one with fewer, bin by bin from the third on: p
+// relative, -P_xy in units of what a wall carries, both tolerance_total() wide; viscosity relative, viscosity_margin
+// wide (not in the centre pair); N_1, normal_stress_margin wide.
+Evidence estimate_stress_size(const Claim& claim, Tier, const SceneRecords& records) {
+  std::vector<SceneValues> scenes = by_area_fraction(records);
+  std::stable_sort(scenes.begin(), scenes.end(), [](const SceneValues& a, const SceneValues& b) {
+    return a.scene().particles < b.scene().particles;
+  });
+  const SceneValues &small = scenes.front(), &large = scenes.back();
+  const double wall = small.scene().area_fraction() / 2;
+  Evidence evidence;
+  evidence.plot = viscosity_plot("Jenkins-Richman");
+  for (int bin = first_bin_with_shear_rate; bin < small.half(); ++bin) {
+    const Rheology few = rheology(small, bin), many = rheology(large, bin);
+    const auto check = [&](const char* what, std::vector<double> values, double half_width) {
+      evidence.checks.push_back({.label = fmt::format("{}: {}, {} disks less {}", bins_label(small, bin), what,
+                                                      large.scene().particles, small.scene().particles),
+                                 .values = std::move(values),
+                                 .band = band_about(0, half_width),
+                                 .x = small.centre(bin)});
+    };
+    const std::size_t replicas = std::min(small.replicas(), large.replicas());
+    const auto relative = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      return per_replica(replicas, [&](std::size_t r) { return a[r] / b[r] - 1; });
+    };
+    check("p, relative", relative(many.pressure, few.pressure), claim.tolerance_total());
+    check("-P_xy over a wall's",
+          per_replica(replicas, [&](std::size_t r) { return (many.shear_stress[r] - few.shear_stress[r]) / wall; }),
+          claim.tolerance_total());
+    check("N_1",
+          difference(first_normal_stress_difference(large, bin, StressPart::both),
+                     first_normal_stress_difference(small, bin, StressPart::both)),
+          claim.parameter("normal_stress_margin"));
+    if (bin + 1 < small.half())
+      check("viscosity, relative", relative(many.viscosity, few.viscosity), claim.parameter("viscosity_margin"));
+  }
+  for (const SceneValues* scene : {&small, &large}) {
+    plot_viscosity(*scene, Constitutive::jenkins_richman, evidence.plot);
+    evidence.plot.series[evidence.plot.series.size() - 2].label = fmt::format("{} disks", scene->scene().particles);
+  }
+  evidence.notes.emplace_back(definitions);
+  return evidence;
+}
+
 }  // namespace gpf

@@ -1,0 +1,66 @@
+// n1.critical, n1.phase: the densities at which N_1 and its collisional part change sign at the centre of the channel.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "verify/estimators/estimators.hpp"
+#include "verify/estimators/normal_stress_crossing.hpp"
+
+namespace gpf {
+
+// Claim n1.critical (figs. 4.8, 4.13): between the same walls, the density at which N_1 changes sign is higher in the
+// row of the next lower e_n; as mean area fraction and as that of the centre bins.
+Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  const std::vector<SceneRow> rows = rows_of(scenes);
+  Evidence evidence;
+  evidence.plot = centre_plot(rows, StressPart::both, Density::local);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    append(evidence.notes, crossing_notes(rows[k]));
+    if (k == 0 || rows[k - 1].wall_restitution != rows[k].wall_restitution) continue;
+    for (const Density density : {Density::mean, Density::local})
+      evidence.checks.push_back({.label = fmt::format("{}: {} where N_1 changes sign, less that at e_n {:.3g}",
+                                                      rows[k].label(), name_of(density), rows[k - 1].restitution),
+                                 .values = difference(sign_change(rows[k], StressPart::both, density).densities,
+                                                      sign_change(rows[k - 1], StressPart::both, density).densities),
+                                 .band = {0, INFINITY}});
+  }
+  evidence.notes.emplace_back(centre_definition);
+  return evidence;
+}
+
+// Claim n1.phase (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap. In rows at or
+// above e_n `elastic` it is positive; and it is larger there than in the row of the lowest e_n between the same walls,
+// where the two coincide within `coincidence`.
+Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records) {
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  const std::vector<SceneRow> rows = rows_of(scenes);
+  const auto gap = [](const SceneRow& row, Density density) {
+    return difference(sign_change(row, StressPart::both, density).densities,
+                      sign_change(row, StressPart::collisional, density).densities);
+  };
+  Evidence evidence;
+  evidence.plot = {.title = "Zero lines at the centre", .xlabel = "e_n", .ylabel = "area fraction"};
+  for (const Density density : {Density::mean, Density::local})
+    for (const StressPart part : {StressPart::both, StressPart::collisional}) {
+      Series points{.label = fmt::format("{} = 0, {}", symbol_of(part), name_of(density))};
+      for (const SceneRow& row : rows) add_point(points, row.restitution, sign_change(row, part, density).densities);
+      evidence.plot.series.push_back(std::move(points));
+    }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    append(evidence.notes, crossing_notes(rows[k]));
+    for (const Density density : {Density::mean, Density::local}) {
+      const std::string label =
+          fmt::format("{}: {} of N_1 = 0 less that of N_1^c = 0", rows[k].label(), name_of(density));
+      if (rows[k].restitution >= claim.parameter("elastic"))
+        evidence.checks.push_back({.label = label, .values = gap(rows[k], density), .band = {0, INFINITY}});
+      else
+        evidence.checks.push_back(
+            {.label = label, .values = gap(rows[k], density), .band = band_about(0, claim.parameter("coincidence"))});
+    }
+  }
+  evidence.notes.emplace_back(centre_definition);
+  return evidence;
+}
+
+}  // namespace gpf
