@@ -29,15 +29,23 @@ Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
   return evidence;
 }
 
-// Claim n1.phase (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap. In rows at or
-// above e_n `elastic` it is positive; and it is larger there than in the row of the lowest e_n between the same walls,
-// where the two coincide within `coincidence`.
+// Claim n1.phase (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap. Positive in rows
+// at or above e_n `elastic`; within `coincidence` of zero in the others. Two changes of sign between the same two
+// scenes are resolved only if these are no farther apart than `coincidence`; else the gap has no values, and nothing is
+// decided.
 Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
-  const auto gap = [](const SceneRow& row, Density density) {
-    return difference(sign_change(row, StressPart::both, density).densities,
-                      sign_change(row, StressPart::collisional, density).densities);
+  const double coincidence = claim.parameter("coincidence");
+  const auto gap = [&](const SceneRow& row, Density density) {
+    const SignChange whole = sign_change(row, StressPart::both, density),
+                     collisional = sign_change(row, StressPart::collisional, density);
+    const bool one_bracket = whole.found() && whole.below == collisional.below;
+    if (one_bracket &&
+        over_replicas(density_of(*whole.above, density)).mean - over_replicas(density_of(*whole.below, density)).mean >
+            coincidence)
+      return std::vector<double>{};
+    return difference(whole.densities, collisional.densities);
   };
   Evidence evidence;
   evidence.plot = {.title = "Zero lines at the centre", .xlabel = "e_n", .ylabel = "area fraction"};
@@ -56,7 +64,7 @@ Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records
         evidence.checks.push_back({.label = label, .values = gap(rows[k], density), .band = {0, INFINITY}});
       else
         evidence.checks.push_back(
-            {.label = label, .values = gap(rows[k], density), .band = band_about(0, claim.parameter("coincidence"))});
+            {.label = label, .values = gap(rows[k], density), .band = band_about(0, coincidence)});
     }
   }
   evidence.notes.emplace_back(centre_definition);

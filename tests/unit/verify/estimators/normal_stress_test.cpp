@@ -153,14 +153,27 @@ BOOST_AUTO_TEST_CASE(collisional_part) {
 
 BOOST_AUTO_TEST_CASE(zero_lines) {
   const Claim claim = made_claim(0, {{"elastic", 0.85}, {"coincidence", 0.05}});
-  // N_1^c: zero at .1/.2 of the way; N_1 at the same place at e_n .8, later at .9.
-  const SceneRecords apart = row(0.9, {{0.1, {0.2, 0.1}}, {0.3, {-0.1, -0.1}}}),
-                     together = row(0.8, {{0.1, {0.1, 0.1}}, {0.3, {-0.1, -0.1}}});
-  const Evidence evidence = estimate_n1_phase(claim, Tier::standard, both(apart, together));
+  // N_1^c is zero at nu .15, N_1 at .25.
+  const SceneRecords apart = row(0.9, {{0.1, {0.2, 0.1}}, {0.2, {0.2, -0.1}}, {0.3, {0, -0.1}}}),
+                     swapped = row(0.9, {{0.1, {0, 0.1}}, {0.2, {-0.2, 0.1}}, {0.3, {0, -0.1}}});
+  const Evidence evidence = estimate_n1_phase(claim, Tier::standard, apart);
+  BOOST_TEST(check_with(evidence, ": nu of").values[0] == 0.1, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(check_with(evidence, ": nu_bin of").values[0] == 0.15, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(all_inside(evidence));
-  BOOST_TEST(check_with(evidence, "e_n 0.9, beta_w 0.9: nu of").values[0] == 0.02, boost::test_tools::tolerance(1e-9));
-  const SceneRecords swapped = both(row(0.9, {{0.1, {0.1, 0.1}}, {0.3, {-0.2, -0.1}}}), together);
   BOOST_TEST(outside(estimate_n1_phase(claim, Tier::standard, swapped)).size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(zero_lines_coincide_only_where_the_scenes_resolve_it) {
+  const Claim claim = made_claim(0, {{"elastic", 0.85}, {"coincidence", 0.05}});
+  const SceneRecords coarse = row(0.8, {{0.1, {0.1, 0.1}}, {0.3, {-0.1, -0.1}}}),
+                     fine = row(0.8, {{0.1, {0.1, 0.1}}, {0.13, {-0.1, -0.1}}}),
+                     apart = row(0.8, {{0.1, {0.2, 0.1}}, {0.2, {0.2, -0.1}}, {0.3, {0, -0.1}}});
+  for (const Check& check : estimate_n1_phase(claim, Tier::standard, coarse).checks)
+    BOOST_TEST(check.values.empty());  // which the judge calls inconclusive
+  const Evidence resolved = estimate_n1_phase(claim, Tier::standard, fine);
+  BOOST_TEST(check_with(resolved, ": nu of").values.size() == 2u);
+  BOOST_TEST(all_inside(resolved));
+  BOOST_TEST(outside(estimate_n1_phase(claim, Tier::standard, apart)).size() == 2u);
 }
 
 Claim elastic_claim() { return made_claim(0.1, {{"dilute", 0.05}, {"dense", 0.5}, {"centre_margin", 0.01}}); }
