@@ -14,7 +14,7 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
+constexpr std::array<std::pair<std::string_view, Estimator>, 28> estimators{
     {{"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
@@ -26,6 +26,21 @@ constexpr std::array<std::pair<std::string_view, Estimator>, 13> estimators{
      {"lattices", estimate_lattices},
      {"smooth_fields", estimate_smooth_fields},
      {"kurtosis", estimate_kurtosis},
+     {"kn_dilute", estimate_kn_dilute},
+     {"kn_restitution", estimate_kn_restitution},
+     {"kn_wall", estimate_kn_wall},
+     {"kn_density", estimate_kn_density},
+     {"slip_restitution", estimate_slip_restitution},
+     {"slip_wall", estimate_slip_wall},
+     {"slip_density", estimate_slip_density},
+     {"slip_knudsen", estimate_slip_knudsen},
+     {"gradient_density", estimate_gradient_density},
+     {"gradient_knudsen", estimate_gradient_knudsen},
+     {"flow_knudsen", estimate_flow_knudsen},
+     {"temp_density", estimate_temp_density},
+     {"temp_restitution", estimate_temp_restitution},
+     {"temp_wall", estimate_temp_wall},
+     {"temp_knudsen", estimate_temp_knudsen},
      {"momentum_balance", estimate_momentum_balance},
      {"energy_balance", estimate_energy_balance}}};
 
