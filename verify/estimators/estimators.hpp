@@ -64,6 +64,23 @@ Evidence estimate_rough_wall_peak(const Claim& claim, Tier tier, const SceneReco
 Evidence estimate_hump(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_cx_wall(const Claim& claim, Tier tier, const SceneRecords& records);
 
+// Chapter 4: Knudsen number, slip, flow rate and temperature at the walls.
+Evidence estimate_kn_dilute(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kn_restitution(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kn_wall(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kn_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_slip_restitution(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_slip_wall(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_slip_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_slip_knudsen(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_gradient_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_gradient_knudsen(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_flow_knudsen(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_temp_density(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_temp_restitution(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_temp_wall(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_temp_knudsen(const Claim& claim, Tier tier, const SceneRecords& records);
+
 // Balances that hold in every steady channel.
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy_balance(const Claim& claim, Tier tier, const SceneRecords& records);

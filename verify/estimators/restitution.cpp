@@ -16,25 +16,22 @@ struct Reading {
   bool judged;
 };
 
-bool rough(const Scene& scene) { return scene.wall_tangential_restitution[lower] < 0.5; }
-bool smooth(const Scene& scene) { return !rough(scene); }
-
 /// "Hardly depends": ln of the quantity at e_n over that at e_n .99, in units of what sec. 4.2.2 calls a significant
 /// effect at the same area fraction - ln of the quantity between smooth walls (beta_w .9) over that between rough ones
 /// (.1). The part has to stay within +-`small_part`.
 Evidence hardly_depends(const Claim& claim, const SceneRecords& records, const std::vector<Reading>& readings) {
-  const Scans scans = scans_by(area_fraction, normal_restitution, records, rough),
-              walls = scans_by(normal_restitution, area_fraction, records, smooth);
+  const Scans scans = scans_by(area_fraction, normal_restitution, records, rough_walls),
+              walls = scans_by(normal_restitution, area_fraction, records, smooth_walls);
   Evidence evidence;
   for (const auto& [nu, scan] : scans) {
     const SceneValues* elastic = find_scene(scan, normal_restitution, nearly_elastic);
-    const SceneValues* smooth_walls = walls.empty() ? nullptr : find_scene(walls.begin()->second, area_fraction, nu);
-    if (elastic == nullptr || smooth_walls == nullptr) continue;
+    const SceneValues* between_smooth = walls.empty() ? nullptr : find_scene(walls.begin()->second, area_fraction, nu);
+    if (elastic == nullptr || between_smooth == nullptr) continue;
     evidence.plot.series.push_back(
         points_of(fmt::format("nu {:.2g}", nu), scan, normal_restitution, readings.front().quantity));
     for (const Reading& reading : readings) {
       const std::vector<double> at_elastic = elastic->of(reading.quantity),
-                                of_walls = log_ratio(smooth_walls->of(reading.quantity), at_elastic);
+                                of_walls = log_ratio(between_smooth->of(reading.quantity), at_elastic);
       std::string seen;
       for (const SceneValues& scene : scan) {
         if (&scene == elastic) continue;
@@ -86,7 +83,7 @@ Evidence estimate_slip_restitution(const Claim& claim, Tier, const SceneRecords&
 /// |T_w(e_n) - T_w(.99)| and the same of the temperature gradient at the walls (fig. 4.28): larger at each area
 /// fraction from `dense_from` up than at each one up to `dilute_to`. Units m g W and m g.
 Evidence estimate_temp_restitution(const Claim& claim, Tier, const SceneRecords& records) {
-  const Scans scans = scans_by(area_fraction, normal_restitution, records, rough);
+  const Scans scans = scans_by(area_fraction, normal_restitution, records, rough_walls);
   const double dilute_to = claim.parameter("dilute_to"), dense_from = claim.parameter("dense_from");
   Evidence evidence;
   evidence.plot = {.title = "Temperature at rough walls", .xlabel = "e_n", .ylabel = "T_w, m g W"};

@@ -14,6 +14,10 @@ double area_fraction(const Scene& scene) { return scene.area_fraction(); }
 double normal_restitution(const Scene& scene) { return scene.normal_restitution; }
 double wall_restitution(const Scene& scene) { return scene.wall_tangential_restitution[lower]; }
 
+bool any_scene(const Scene&) { return true; }
+bool rough_walls(const Scene& scene) { return wall_restitution(scene) < 0.5; }
+bool smooth_walls(const Scene& scene) { return !rough_walls(scene); }
+
 namespace {
 
 /// Numbers of scene files that are meant to be equal: an area fraction is computed, and off by round-off.
@@ -88,6 +92,21 @@ Series points_of(std::string label, const std::vector<SceneValues>& scan, SceneN
   Series series{.label = std::move(label)};
   for (const SceneValues& scene : scan) add_point(series, x(scene.scene()), scene.of(y));
   return series;
+}
+
+double mean_knudsen(const SceneValues& scene) { return over_replicas(scene.of("knudsen_number_lab")).mean; }
+
+Series over_knudsen(std::string label, const std::vector<SceneValues>& scan, std::string_view quantity) {
+  Series series{.label = std::move(label)};
+  for (const SceneValues& scene : scan) add_point(series, mean_knudsen(scene), scene.of(quantity));
+  return series;
+}
+
+std::vector<const SceneValues*> between_knudsen(const std::vector<SceneValues>& scan, double lowest, double highest) {
+  std::vector<const SceneValues*> kept;
+  for (const SceneValues& scene : scan)
+    if (lowest < mean_knudsen(scene) && mean_knudsen(scene) < highest) kept.push_back(&scene);
+  return kept;
 }
 
 }  // namespace gpf

@@ -22,6 +22,9 @@ double wall_restitution(const Scene& scene);  ///< of the lower wall
 /// are left out.
 using Scans = std::map<double, std::vector<SceneValues>>;
 using SceneFilter = bool (*)(const Scene&);
+bool any_scene(const Scene& scene);
+bool rough_walls(const Scene& scene);   ///< beta_w below one half, at the lower wall
+bool smooth_walls(const Scene& scene);  ///< the others
 Scans scans_by(SceneNumber group, SceneNumber order, const SceneRecords& records, SceneFilter keep);
 
 /// The scene of a scan whose `number` is `value`, within round-off of a scene file; nullptr when there is none.
@@ -30,6 +33,11 @@ const SceneValues* find_scene(const std::vector<SceneValues>& scan, SceneNumber 
 /// A quantity of each scene of a scan: [scene][replica].
 std::vector<double> numbers_of(const std::vector<SceneValues>& scan, SceneNumber number);
 std::vector<std::vector<double>> values_of(const std::vector<SceneValues>& scan, std::string_view quantity);
+
+/// The Knudsen number of the thesis, mean over the replicas.
+double mean_knudsen(const SceneValues& scene);
+/// The scenes of a scan with lowest < Kn < highest, in the order of the scan.
+std::vector<const SceneValues*> between_knudsen(const std::vector<SceneValues>& scan, double lowest, double highest);
 
 /// f(a, b) replica by replica, as far as both go.
 template <class F>
@@ -50,5 +58,7 @@ std::string with_error(const std::vector<double>& values);
 
 /// Points of a quantity over a number of the scenes.
 Series points_of(std::string label, const std::vector<SceneValues>& scan, SceneNumber x, std::string_view y);
+/// Points of a quantity over the Knudsen number.
+Series over_knudsen(std::string label, const std::vector<SceneValues>& scan, std::string_view quantity);
 
 }  // namespace gpf

@@ -1,0 +1,190 @@
+#include "verify/estimators/scans.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "unit/verify/estimators/wall_record.hpp"
+#include "verify/estimators/estimators.hpp"
+
+namespace gpf::test {
+
+BOOST_AUTO_TEST_SUITE(scans)
+
+const auto close = boost::test_tools::tolerance(1e-6);
+
+BOOST_AUTO_TEST_CASE(scenes_are_grouped_and_ordered) {
+  SceneRecords records;
+  add(records, {.area_fraction = 0.3, .restitution = 0.9});
+  add(records, {.area_fraction = 0.1, .restitution = 0.9, .knudsen = 0.4});
+  add(records, {.area_fraction = 0.2, .restitution = 0.8});
+  add(records, {.area_fraction = 0.2, .wall = 0.9});
+  const Scans scans = scans_by(normal_restitution, area_fraction, records, rough_walls);
+  BOOST_TEST_REQUIRE(scans.size() == 2u);
+  const std::vector<SceneValues>& scan = scans.rbegin()->second;
+  BOOST_TEST(numbers_of(scan, area_fraction) == std::vector({0.1, 0.3}), close << boost::test_tools::per_element());
+  BOOST_TEST(mean_knudsen(*find_scene(scan, area_fraction, 0.1)) == 0.4, close);
+  BOOST_TEST(find_scene(scan, area_fraction, 0.2) == nullptr);
+  BOOST_TEST(between_knudsen(scan, 0.2, 1).size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(an_extremum_needs_both_sides) {
+  const auto judged = [](std::vector<std::vector<double>> values, Extremum kind) {
+    Evidence evidence;
+    add_extremum(evidence, "y at", {1, 2, 3, 4}, values, kind);
+    return outside(evidence).size();
+  };
+  BOOST_TEST(judged({{1, 1.1}, {2, 2}, {3, 3}, {1, 1}}, Extremum::maximum) == 0u);
+  BOOST_TEST(judged({{1, 1}, {2, 2}, {3, 3}, {4, 4}}, Extremum::maximum) == 1u);
+  BOOST_TEST(judged({{3, 3}, {1, 1}, {2, 2}, {4, 4}}, Extremum::minimum) == 0u);
+  BOOST_TEST(judged({{3, 3}, {2, 2}, {1, 1}, {0, 0}}, Extremum::minimum) == 1u);
+}
+
+/// The walls change Kn, slip and gradient by the factor 4, e_n by `factor`.
+BOOST_AUTO_TEST_CASE(an_effect_of_restitution_is_measured_in_effects_of_the_walls) {
+  const auto evidence_for = [](double factor, Estimator estimator) {
+    SceneRecords records;
+    add(records, {.knudsen = 0.1, .velocity = {0.1, 0.2, 1}});
+    add(records, {.restitution = 0.8, .knudsen = 0.1 * factor, .velocity = {0.1 * factor, 0.2 * factor, 1}});
+    add(records, {.wall = 0.9, .knudsen = 0.4, .velocity = {0.4, 0.8, 1}});
+    return estimator(made_claim(0, {{"small_part", 0.25}}), Tier::quick, records);
+  };
+  const Evidence kn = evidence_for(std::pow(4, 0.2), estimate_kn_restitution);
+  BOOST_TEST(check_with(kn, "e_n 0.8: effect on Kn").values[0] == 0.2, close);
+  BOOST_TEST(all_inside(kn));
+  BOOST_TEST(outside(evidence_for(std::pow(4, 0.3), estimate_kn_restitution)).size() == 1u);
+  const Evidence slip = evidence_for(std::pow(4, -0.2), estimate_slip_restitution);
+  BOOST_TEST(check_with(slip, "effect on slip").values[0] == -0.2, close);
+  BOOST_TEST(check_with(slip, "effect on (dU/dy)/U_0").values[0] == -0.2, close);
+  BOOST_TEST(outside(evidence_for(std::pow(4, -0.3), estimate_slip_restitution)).size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(dissipation_matters_more_to_dense_walls) {
+  const auto failures = [](double dilute, double dense) {
+    SceneRecords records;
+    for (const double nu : {0.1, 0.4}) {
+      add(records, {.area_fraction = nu, .temperature = {1, 2, 2}});
+      const double change = nu < 0.2 ? dilute : dense;
+      add(records, {.area_fraction = nu, .restitution = 0.8, .temperature = {1 + change, 2 + 3 * change, 2}});
+    }
+    return outside(estimate_temp_restitution(made_claim(0, {{"dilute_to", 0.1}, {"dense_from", 0.4}}), Tier::quick,
+                                             records))
+        .size();
+  };
+  BOOST_TEST(failures(-0.1, 0.3) == 0u);
+  BOOST_TEST(failures(-0.3, 0.1) == 2u);  // T_w and its gradient
+}
+
+BOOST_AUTO_TEST_CASE(walls_change_kn_in_dilute_flow_only) {
+  const auto failures = [](double dense_change) {
+    SceneRecords records;
+    for (const double wall : {0.1, 0.9}) {
+      add(records, {.area_fraction = 0.02, .wall = wall, .knudsen = wall < 0.5 ? 1.0 : 3.0});
+      add(records, {.area_fraction = 0.4, .wall = wall, .knudsen = wall < 0.5 ? 0.1 : 0.1 + dense_change});
+    }
+    return outside(estimate_kn_wall(made_claim(0, {{"dense_from", 0.3}, {"negligible", 0.05}}), Tier::quick, records));
+  };
+  BOOST_TEST(failures(0.08).empty());
+  BOOST_TEST(failures(0.12).size() == 1u);  // no longer negligible
+  BOOST_TEST(failures(3).size() == 2u);     // nor smaller
+}
+
+/// At nu .1 walls -.5, 0, .1, .9 with Kn .2; the curves of .1 and .9 reach over Kn .1 ... .4.
+SceneRecords wall_scan(double slip_at_zero, double gradient_at_zero) {
+  SceneRecords records;
+  const auto run = [&](double nu, double wall, double kn, double slip, double gradient) {
+    add(records, {.area_fraction = nu, .wall = wall, .knudsen = kn, .velocity = {slip, slip + gradient / 6, 1}});
+  };
+  run(0.1, -0.5, 0.2, 0.1, 1);
+  run(0.1, 0, 0.22, slip_at_zero, gradient_at_zero);
+  run(0.1, 0.1, 0.25, 0.3, 1.1);
+  run(0.1, 0.9, 0.4, 0.8, 0.5);
+  run(0.2, 0.1, 0.125, 0.15, 1);
+  run(0.2, 0.9, 0.1, 0.2, 1);
+  return records;
+}
+
+BOOST_AUTO_TEST_CASE(slip_grows_over_the_walls_and_at_equal_kn) {
+  const Evidence evidence = estimate_slip_wall(made_claim(0), Tier::quick, wall_scan(0.2, 1.2));
+  BOOST_TEST(all_inside(evidence));
+  // ln slip at Kn .2 on the line through (.125, .15) and (.25, .3): slip .24; and through (.1, .2) and (.4, .8): .4.
+  BOOST_TEST(check_with(evidence, "Kn 0.2: ln slip at beta_w 0.1").values[0] == std::log(0.24 / 0.1), close);
+  BOOST_TEST(check_with(evidence, "Kn 0.2: ln slip at beta_w 0.9").values[0] == std::log(0.4 / 0.24), close);
+  BOOST_TEST(outside(estimate_slip_wall(made_claim(0), Tier::quick, wall_scan(0.05, 1.2))).size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(walls_are_coldest_at_the_vertex) {
+  const auto evidence_for = [](double vertex) {
+    SceneRecords records;
+    for (const double wall : {-0.5, 0.0, 0.1, 0.3, 0.9}) {
+      const double t = 1 + (wall - vertex) * (wall - vertex);
+      add(records, {.wall = wall, .temperature = {t, t + 2 - wall * wall, 3}});
+    }
+    return estimate_temp_wall(made_claim(0.1), Tier::quick, records);
+  };
+  const Evidence evidence = evidence_for(0.05);
+  BOOST_TEST(check_with(evidence, "beta_w of the smallest T_w").values[0] == 0.05, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(all_inside(evidence));
+  BOOST_TEST(outside(evidence_for(0.15)).size() == 1u);
+  BOOST_TEST(outside(evidence_for(1)).size() == 2u);  // no minimum inside, and the vertex
+}
+
+BOOST_AUTO_TEST_CASE(kn_of_order_one_falls) {
+  SceneRecords records;
+  add(records, {.area_fraction = 0.02, .wall = 0.9, .knudsen = 2});
+  add(records, {.area_fraction = 0.3, .wall = 0.9, .knudsen = 0.1});
+  BOOST_TEST(all_inside(estimate_kn_dilute(made_claim(0), Tier::quick, records)));
+  add(records, {.area_fraction = 0.01, .wall = 0.9, .knudsen = 4});
+  BOOST_TEST(outside(estimate_kn_dilute(made_claim(0), Tier::quick, records)).size() == 2u);  // both definitions
+}
+
+BOOST_AUTO_TEST_CASE(flow_is_flat_below_the_edge_and_falls_above) {
+  const auto failures = [](double densest) {
+    SceneRecords records;
+    const auto run = [&](double nu, double kn, double flow) {
+      add(records, {.area_fraction = nu, .knudsen = kn, .velocity = {0.1, 0.2, flow}});
+    };
+    run(0.5, 0.01, densest), run(0.4, 0.03, 4), run(0.2, 0.06, 3.9), run(0.1, 0.2, 2), run(0.05, 0.4, 1);
+    return outside(estimate_flow_knudsen(made_claim(0, {{"edge", 0.05}}), Tier::quick, records)).size();
+  };
+  BOOST_TEST(failures(3.5) == 0u);
+  BOOST_TEST(failures(1.9) == 2u);  // Q and U_0
+}
+
+BOOST_AUTO_TEST_CASE(temperature_falls_between_smooth_walls_and_peaks_between_rough_ones) {
+  const auto failures = [](double dense_smooth, double dense_rough) {
+    SceneRecords records;
+    for (const double wall : {0.1, 0.9})
+      for (const double nu : {0.1, 0.2, 0.4}) {
+        const double t = wall > 0.5 ? (nu < 0.3 ? 3 - nu : dense_smooth) : nu < 0.15 ? 1 : nu < 0.3 ? 2 : dense_rough;
+        add(records, {.area_fraction = nu, .wall = wall, .temperature = {t, 3 * t, t}});
+      }
+    return outside(estimate_temp_density(made_claim(0), Tier::quick, records)).size();
+  };
+  BOOST_TEST(failures(1, 1.5) == 0u);
+  BOOST_TEST(failures(2.9, 1.5) == 3u);  // three bins
+  BOOST_TEST(failures(1, 2.5) == 4u);    // two bins and two gradients
+}
+
+BOOST_AUTO_TEST_CASE(wall_temperature_is_linear_and_its_gradient_constant_at_high_kn) {
+  const auto failures = [](double middle, double last_gradient) {
+    SceneRecords records;
+    const auto run = [&](double nu, double kn, double t, double gradient) {
+      add(records, {.area_fraction = nu, .knudsen = kn, .temperature = {t, t + gradient / 6, t}});
+    };
+    run(0.01, 3, 2, last_gradient), run(0.02, 2, middle, -0.5), run(0.05, 1, 1, -0.3), run(0.2, 0.1, 1, 2);
+    run(0.3, 0.05, 1, 4), run(0.5, 0.01, 1, 1);
+    return outside(
+               estimate_temp_knudsen(
+                   made_claim(
+                       0, {{"high_from", 0.6}, {"departure", 0.05}, {"constant_from", 1.1}, {"constant_part", 0.1}}),
+                   Tier::quick, records))
+        .size();
+  };
+  BOOST_TEST(failures(1.5, -0.6) == 0u);
+  BOOST_TEST(failures(1.7, -0.6) == 1u);
+  BOOST_TEST(failures(1.5, -1.5) == 1u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace gpf::test
