@@ -62,6 +62,7 @@ Evidence estimate_plug_correlations(const Claim&, Tier, const SceneRecords& reco
   for (const auto& [name, replicas] : records) {
     const SceneValues scene(name, replicas);
     const std::string label = label_of(scene.scene());
+    const std::string walls = fmt::format("beta_w {:.1f}", scene.scene().wall_tangential_restitution[Wall::lower]);
     const int centre = scene.half() - 1, shear = scene.half() / 2;
     const std::vector<PairFunctions> plug = pair_functions(scene, centre), layer = pair_functions(scene, shear),
                                      wall = pair_functions(scene, 0);
@@ -90,9 +91,9 @@ Evidence estimate_plug_correlations(const Claim&, Tier, const SceneRecords& reco
         label, text_of(mean_in(near_window, cxx_long_time, plug)), text_of(mean_in(far_window, cxx_long_time, plug)),
         shear + 1, text_of(mean_in(near_window, cxx_long_time, layer)),
         text_of(mean_in(far_window, cxx_long_time, layer))));
-    evidence.plot.series.push_back(correlation_series("C_xx, plug; " + label, plug, cxx));
-    evidence.plot.series.push_back(correlation_series("C_yy, plug; " + label, plug, cyy));
-    evidence.plot.series.push_back(correlation_series(fmt::format("C_xx, bin {}; ", shear + 1) + label, layer, cxx));
+    evidence.plot.series.push_back(correlation_series("C_xx, plug, " + walls, plug, cxx));
+    evidence.plot.series.push_back(correlation_series("C_yy, plug, " + walls, plug, cyy));
+    evidence.plot.series.push_back(correlation_series(fmt::format("C_xx, bin {}, ", shear + 1) + walls, layer, cxx));
   }
   evidence.notes.emplace_back(correlation_definitions);
   return evidence;
