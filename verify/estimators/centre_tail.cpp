@@ -92,7 +92,7 @@ Plot tail_plot(std::string title) {
 
 void add_tail(Plot& plot, const CentreTail& tail) {
   plot.series.push_back(density_series(
-      fmt::format("{}, {}", tail.velocity == Velocity::uy ? "u_y" : "u_x", tail.label()), tail.distributions));
+      fmt::format("{}, nu {:.2f}, e_n {:.2f}", name_of(tail.velocity), tail.nu, tail.restitution), tail.distributions));
 }
 
 void add_power_law(Plot& plot, double exponent, double level) {

@@ -69,10 +69,12 @@ void compare(Evidence& evidence, const Claim& claim, const SceneValues& a, const
              .x = ta[w].window.to,
              .reference = 0});
     }
-    if (velocity == Velocity::ux) {
-      evidence.plot.series.push_back(density_series(fmt::format("{}: {}", where, label(a)), da));
-      evidence.plot.series.push_back(density_series(fmt::format("{}: {}", where, label(b)), db));
-    }
+    if (velocity != Velocity::ux) continue;
+    for (const auto& [scene, d] : {std::pair(&a, &da), std::pair(&b, &db)})
+      evidence.plot.series.push_back(
+          density_series(fmt::format("e_n {:.2f}, bin {}, N {}, β_w {:.1f}", scene->scene().normal_restitution, bin + 1,
+                                     scene->scene().particles, scene->scene().wall_tangential_restitution[0]),
+                         *d));
   }
 }
 

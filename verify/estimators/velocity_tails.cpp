@@ -73,7 +73,7 @@ Evidence estimate_plug_tails(const Claim& claim, Tier, const SceneRecords& recor
              .reference = 0});
       before = &tail;
     }
-    add_power_law(evidence.plot, expected, velocity == Velocity::ux ? 0.008 : 0.025);
+    add_power_law(evidence.plot, expected, velocity == Velocity::ux ? 0.008 : 0.016);
   }
   evidence.notes.emplace_back(tail_definitions);
   return evidence;
