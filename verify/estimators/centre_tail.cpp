@@ -73,10 +73,6 @@ std::vector<CentreTail> centre_tails(const SceneRecords& records, Velocity veloc
   return all;
 }
 
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
-  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
-}
-
 std::string window_label(TailWindow w) { return fmt::format("{:g}-{:g} sigma", w.from, w.to); }
 
 Plot tail_plot(std::string title) {

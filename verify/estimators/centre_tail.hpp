@@ -51,7 +51,4 @@ inline constexpr const char* tail_definitions =
     "and "
     "added to bin 9. Units: the measured sigma.";
 
-/// a - b, replica by replica.
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b);
-
 }  // namespace gpf

@@ -17,15 +17,6 @@ std::vector<double> mean_in(const DistanceWindow& window, const VelocityCorrelat
   });
 }
 
-std::vector<double> magnitude(std::vector<double> values) {
-  for (double& value : values) value = std::abs(value);
-  return values;
-}
-
-std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b) {
-  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
-}
-
 std::string text_of(const std::vector<double>& values) {
   const Estimate e = over_replicas(values);
   return fmt::format("{:.3f} +- {:.3f}", e.mean, e.error);

@@ -28,10 +28,6 @@ inline constexpr VelocityCorrelation cxx{Component::xx, Mean::instantaneous, "C_
 std::vector<double> mean_in(const DistanceWindow& window, const VelocityCorrelation& correlation,
                             const std::vector<PairFunctions>& pairs);
 
-/// The absolute value in every replica.
-std::vector<double> magnitude(std::vector<double> values);
-/// a - b, replica by replica.
-std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b);
 /// "mean +- error" over the replicas.
 std::string text_of(const std::vector<double>& values);
 

@@ -44,7 +44,7 @@ Evidence estimate_dense_correlations(const Claim& claim, Tier, const SceneRecord
       evidence.checks.push_back(
           {.label = fmt::format("{}, e_n {:.2f} less e_n {:.2f}", what, scenes.front().scene().normal_restitution,
                                 scenes.back().scene().normal_restitution),
-           .values = less(strong, magnitude(weak)),
+           .values = difference(strong, magnitude(weak)),
            .band = positive});
       evidence.notes.push_back(fmt::format(
           "{}: {} at the higher e_n, {} at the lower; at 10 to 12 d {} and {}.", what, text_of(weak), text_of(strong),
@@ -72,12 +72,12 @@ Evidence estimate_cross_correlations(const Claim&, Tier, const SceneRecords& rec
     evidence.checks.push_back(
         {.label = fmt::format("{}: |C_xy| at 1 to 3 d in the plug less that of bin {}",
                               label_of(scenes.front().scene()), bin + 1),
-         .values = less(plug, magnitude(mean_in(near_window, cxy, pair_functions(scenes.front(), bin)))),
+         .values = difference(plug, magnitude(mean_in(near_window, cxy, pair_functions(scenes.front(), bin)))),
          .band = positive});
   evidence.checks.push_back(
       {.label = fmt::format("centre: |C_xy| at 1 to 3 d, e_n {:.2f} less e_n {:.2f}",
                             scenes.front().scene().normal_restitution, scenes.back().scene().normal_restitution),
-       .values = less(plug, magnitude(mean_in(near_window, cxy, pair_functions(scenes.back(), centre)))),
+       .values = difference(plug, magnitude(mean_in(near_window, cxy, pair_functions(scenes.back(), centre)))),
        .band = positive});
   for (const SceneValues& scene : scenes)
     for (const int bin : {centre, shear, 0}) {

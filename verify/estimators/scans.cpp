@@ -59,10 +59,6 @@ std::vector<std::vector<double>> values_of(const std::vector<SceneValues>& scan,
   return values;
 }
 
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
-  return combined(a, b, [](double p, double q) { return p - q; });
-}
-
 std::vector<double> log_ratio(const std::vector<double>& a, const std::vector<double>& b) {
   return combined(a, b, [](double p, double q) { return std::log(p / q); });
 }

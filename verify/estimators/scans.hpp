@@ -44,8 +44,7 @@ template <class F>
 std::vector<double> combined(const std::vector<double>& a, const std::vector<double>& b, F&& f) {
   return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return f(a[r], b[r]); });
 }
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b);  ///< a - b
-std::vector<double> log_ratio(const std::vector<double>& a, const std::vector<double>& b);   ///< ln(a/b)
+std::vector<double> log_ratio(const std::vector<double>& a, const std::vector<double>& b);  ///< ln(a/b)
 
 /// Appends two checks that a curve over a scan rises (falls) and falls (rises) again: its value at the interior point
 /// with the largest (smallest) mean against those at the first and the last point.

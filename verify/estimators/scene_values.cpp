@@ -66,6 +66,15 @@ std::vector<SceneValues> by_area_fraction(const SceneRecords& records) {
   return scenes;
 }
 
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
+}
+
+std::vector<double> magnitude(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  return values;
+}
+
 Estimate over_replicas(const std::vector<double>& values) {
   const ReplicaSummary summary = summarise(values);
   return {summary.mean, summary.standard_error()};

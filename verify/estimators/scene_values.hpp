@@ -58,6 +58,11 @@ std::vector<double> per_replica(std::size_t count, F&& f) {
   return values;
 }
 
+/// a - b, replica by replica; as long as the shorter one.
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b);
+/// The absolute value in every replica.
+std::vector<double> magnitude(std::vector<double> values);
+
 /// Mean and standard error over replicas; the error is NaN for one.
 Estimate over_replicas(const std::vector<double>& values);
 

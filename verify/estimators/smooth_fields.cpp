@@ -45,10 +45,6 @@ Variations variations(const SceneValues& scene, int edge) {
   return v;
 }
 
-std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b) {
-  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
-}
-
 struct Field {
   std::vector<double> Variations::*values;
   const char *symbol, *label;
@@ -75,12 +71,12 @@ Evidence estimate_smooth_fields(const Claim& claim, Tier, const SceneRecords& re
       if (k > 0)
         evidence.checks.push_back({.label = fmt::format("{}: variation at nu {:.3g} less that at nu {:.3g}",
                                                         field.symbol, nu, scenes[k - 1].scene().area_fraction()),
-                                   .values = less(all[k].*field.values, all[k - 1].*field.values),
+                                   .values = difference(all[k].*field.values, all[k - 1].*field.values),
                                    .band = positive,
                                    .x = nu});
       if (field.values != &Variations::velocity)
         evidence.checks.push_back({.label = fmt::format("nu {:.3g}: variation of U less that of {}", nu, field.symbol),
-                                   .values = less(all[k].velocity, all[k].*field.values),
+                                   .values = difference(all[k].velocity, all[k].*field.values),
                                    .band = positive,
                                    .x = nu});
     }

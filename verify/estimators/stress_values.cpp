@@ -120,13 +120,4 @@ const SceneValues* find_scene(const SceneRow& row, double area_fraction) {
   return nullptr;
 }
 
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
-  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
-}
-
-std::vector<double> magnitude(std::vector<double> a) {
-  for (double& value : a) value = std::abs(value);
-  return a;
-}
-
 }  // namespace gpf

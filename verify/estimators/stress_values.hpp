@@ -61,8 +61,4 @@ std::vector<SceneRow> rows_of(const std::vector<SceneValues>& scenes);
 /// The scene of the row with this area fraction, or null.
 const SceneValues* find_scene(const SceneRow& row, double area_fraction);
 
-/// a - b and |a|, replica by replica; a difference is as long as the shorter one.
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b);
-std::vector<double> magnitude(std::vector<double> a);
-
 }  // namespace gpf

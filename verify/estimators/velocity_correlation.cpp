@@ -74,7 +74,7 @@ Evidence estimate_plug_correlations(const Claim&, Tier, const SceneRecords& reco
       for (const auto* outside : {&layer, &wall})
         evidence.checks.push_back({.label = fmt::format("{}: {} at 1 to 3 d in the plug less |C| of bin {}", label,
                                                         function.name, outside == &wall ? 1 : shear + 1),
-                                   .values = less(strong, magnitude(mean_in(near_window, function, *outside))),
+                                   .values = difference(strong, magnitude(mean_in(near_window, function, *outside))),
                                    .band = positive});
       evidence.notes.push_back(
           fmt::format("{}: {} at 1 to 3 d: {} in the plug, {} in bin {}, {} in bin 1; at 10 to 12 d in "

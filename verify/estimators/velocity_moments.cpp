@@ -66,10 +66,6 @@ std::vector<double> departure(const SceneValues& scene, const VelocityMoment& wh
   return values;
 }
 
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
-  return per_replica(std::min(a.size(), b.size()), [&](std::size_t r) { return a[r] - b[r]; });
-}
-
 Check moment_check(const SceneValues& scene, const VelocityMoment& which, int bin, Interval band) {
   return {.label = fmt::format("{}, {}: {}", flow_name(scene), bin_names(scene, bin), which.name),
           .values = moment(scene, which, bin),

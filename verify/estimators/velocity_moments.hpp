@@ -48,9 +48,6 @@ int bin_parameter(const Claim& claim, std::string_view name, const SceneValues& 
 std::vector<double> moment(const SceneValues& scene, const VelocityMoment& which, int bin);
 /// |moment - centre|, one value per replica.
 std::vector<double> departure(const SceneValues& scene, const VelocityMoment& which, int bin, double centre = 0);
-/// a - b, for as many replicas as both have.
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b);
-
 /// The moment in `bin`, labelled with flow, bins and moment, against a band.
 Check moment_check(const SceneValues& scene, const VelocityMoment& which, int bin, Interval band);
 
