@@ -28,7 +28,6 @@ constexpr auto estimators =
                                                            {"kurtosis", estimate_kurtosis},
                                                            {"kurtosis_y", estimate_kurtosis_y},
                                                            {"rough_centre", estimate_rough_centre},
-                                                           {"rough_wall", estimate_rough_wall},
                                                            {"rough_beta", estimate_rough_beta},
                                                            {"moderate_asymmetry", estimate_moderate_asymmetry},
                                                            {"shear_asymmetry", estimate_shear_asymmetry},

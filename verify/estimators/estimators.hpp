@@ -21,7 +21,6 @@ Evidence estimate_smooth_fields(const Claim& claim, Tier tier, const SceneRecord
 Evidence estimate_kurtosis(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kurtosis_y(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_rough_centre(const Claim& claim, Tier tier, const SceneRecords& records);
-Evidence estimate_rough_wall(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_rough_beta(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_moderate_asymmetry(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_shear_asymmetry(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -1,11 +1,11 @@
-// vdf.rough.*: what rough walls do to P(u_x), at the wall and at the centre of the channel (thesis figs. 3.5, 3.7).
+// vdf.rough.centre, vdf.rough.beta: what rough walls do to P(u_x), at the wall and at the centre of the channel (thesis
+// figs. 3.5, 3.7).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "verify/estimators/estimators.hpp"
-#include "verify/estimators/velocity_histogram.hpp"
 #include "verify/estimators/velocity_moments.hpp"
 
 namespace gpf {
@@ -97,44 +97,6 @@ Evidence estimate_rough_centre(const Claim& claim, Tier, const SceneRecords& rec
         "{}: at the centre skewness of u_x {:.3f} and kurtosis {:.3f}; in bin 1 {:.3f} and {:.3f}.", flow_name(scene),
         over_replicas(moment(scene, skewness_x, centre)).mean, over_replicas(moment(scene, kurtosis_x, centre)).mean,
         over_replicas(moment(scene, skewness_x, 0)).mean, over_replicas(moment(scene, kurtosis_x, 0)).mean));
-  }
-  for (std::string& note : notes_on_definitions(scenes)) evidence.notes.push_back(std::move(note));
-  return evidence;
-}
-
-// vdf.rough.wall. In bin 1 at every area fraction: skewness of u_x above the tolerance (the long tail on the side of
-// u_x > 0), the peak of P(u_x) at u_x < 0 (units of its standard deviation), and no second peak: P never rises again by
-// more than `second_peak` of its maximum (fig. 3.5a).
-Evidence estimate_rough_wall(const Claim& claim, Tier, const SceneRecords& records) {
-  const std::vector<SceneValues> scenes = by_area_fraction(records);
-  const double visible = claim.tolerance_total(), second_peak = claim.parameter("second_peak");
-  Evidence evidence;
-  evidence.plot = {.title = "Fluctuation velocities in bin 1 next to rough walls",
-                   .xlabel = "u_x over its standard deviation",
-                   .ylabel = "P(u_x) over its maximum",
-                   .logy = true,
-                   .xrange = {{-4, 6}},
-                   .yrange = {{1e-4, 2}}};
-  for (const SceneValues& scene : scenes) {
-    const double nu = scene.scene().area_fraction();
-    const std::vector<VelocityHistogram> histograms = velocity_histograms(scene, "velocity/ux", 0);
-    const std::string place = fmt::format("{}, {}", flow_name(scene), bin_names(scene, 0));
-    for (const VelocityMoment& which : skewnesses_x)
-      evidence.checks.push_back(moment_check(scene, which, 0, {visible, INFINITY}));
-    const std::vector<double> peaks =
-        per_replica(histograms.size(), [&](std::size_t r) { return histograms[r].peak(); });
-    const std::vector<double> rises =
-        per_replica(histograms.size(), [&](std::size_t r) { return histograms[r].second_rise(); });
-    evidence.checks.push_back({.label = place + ": peak of P(u_x)", .values = peaks, .band = {-INFINITY, 0}, .x = nu});
-    evidence.checks.push_back({.label = place + ": rise of P(u_x) beyond its peak",
-                               .values = rises,
-                               .band = {-INFINITY, second_peak},
-                               .x = nu});
-    evidence.plot.series.push_back(histogram_series(histograms, fmt::format("nu {:.3g}", nu)));
-    evidence.notes.push_back(fmt::format(
-        "{}: skewness of u_x {:.3f}, peak of P(u_x) at {:.2f} standard deviations; beyond it P rises by at most {:.3f} "
-        "of its maximum.",
-        place, over_replicas(moment(scene, skewness_x, 0)).mean, over_replicas(peaks).mean, over_replicas(rises).mean));
   }
   for (std::string& note : notes_on_definitions(scenes)) evidence.notes.push_back(std::move(note));
   return evidence;

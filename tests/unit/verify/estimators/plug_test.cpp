@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(flat_inside_and_steep_outside) {
 }
 
 BOOST_AUTO_TEST_CASE(a_flow_without_a_plug_is_seen) {
-  BOOST_TEST(outside(forms(plug, parabolic)).size() == 7u);
+  BOOST_TEST(outside(forms(plug, parabolic)).size() == 6u);  // a parabola itself lies on the edge of its check
   Fields sheared = plug;
   sheared.velocity = {1, 3, 4.2};
   BOOST_TEST(outside(forms(parabolic, sheared)).size() == 2u);

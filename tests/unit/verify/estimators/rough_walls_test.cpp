@@ -55,38 +55,6 @@ BOOST_AUTO_TEST_CASE(a_dense_flow_that_feels_the_wall_at_the_centre_is_seen) {
   BOOST_TEST(outside(centre(dilute, {{0.5, 3.5}, {0.3, 3.1}, {0.3, 3.6}})).size() >= 4u);
 }
 
-/// P(u_x) in bin 1: one bump at `peak`, and one of `second` times its height at 3.
-Record with_histogram(double skewness, double peak, double second) {
-  Record record = rough(0.015, {{skewness, 3.5}, {0, 3}, {0, 3}});
-  NamedArray ux("velocity/ux", {6, 200});
-  for (const std::size_t bin : {std::size_t{0}, std::size_t{5}})
-    for (std::size_t c = 0; c < 200; ++c) {
-      const double u = -10 + 0.1 * (static_cast<double>(c) + 0.5);
-      ux.at(bin, c) = 1e5 * (std::exp(-(u - peak) * (u - peak)) + second * std::exp(-(u - 3) * (u - 3)));
-    }
-  record.arrays.push_back(std::move(ux));
-  return record;
-}
-
-Evidence wall(double skewness, double peak, double second) {
-  SceneRecords records;
-  records["a"] = {with_histogram(skewness, peak, second)};
-  return estimate_rough_wall(made_claim(0.1, {{"second_peak", 0.05}}), Tier::standard, records);
-}
-
-BOOST_AUTO_TEST_CASE(one_peak_at_negative_velocities_with_a_long_positive_tail) {
-  const Evidence evidence = wall(0.8, -0.5, 0);
-  BOOST_TEST(evidence.checks.size() == 4u);
-  BOOST_TEST(all_inside(evidence));
-  BOOST_TEST(std::abs(check_with(evidence, "peak of P(u_x)").values[0] + 0.5) < 0.01);
-}
-
-BOOST_AUTO_TEST_CASE(each_part_of_the_statement_can_fail) {
-  BOOST_TEST(outside(wall(-0.8, -0.5, 0)).size() == 2u);  // both definitions of the skewness
-  BOOST_TEST(outside(wall(0.8, 0.5, 0)).at(0).find("peak of") != std::string::npos);
-  BOOST_TEST(outside(wall(0.8, -0.5, 0.2)).at(0).find("rise of") != std::string::npos);
-}
-
 Evidence beta(double rough_wall, double middle, double smooth) {
   SceneRecords records;
   records["c"] = {rough(0.015, {{rough_wall, 3}, {0, 3}, {0, 3}}, 0.1)};

@@ -8,7 +8,6 @@
 
 #include "gpf/base/error.hpp"
 #include "unit/verify/estimators/made_flow.hpp"
-#include "verify/estimators/velocity_histogram.hpp"
 
 namespace gpf::test {
 
@@ -54,33 +53,6 @@ BOOST_AUTO_TEST_CASE(the_bias_of_the_instantaneous_mean_is_stated) {
   const std::string note = notes_on_definitions({SceneValues("a", records)}).front();
   BOOST_TEST(note.find("at the 2 of the emptiest bin here, the skewness to 0.000 and the excess kurtosis to 0.500") !=
              std::string::npos);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(velocity_histogram)
-
-/// Counts that a parabola about `peak` makes, with a second one of `height` about 2.5.
-VelocityHistogram made(double peak, double height) {
-  std::vector<double> centres, counts;
-  for (int k = 0; k < 100; ++k) {
-    const double u = -5 + 0.1 * (k + 0.5);
-    centres.push_back(u);
-    const auto bump = [u](double at) { return std::max(0.0, 1 - (u - at) * (u - at)); };
-    counts.push_back(1000 * (bump(peak) + height * bump(2.5)));
-  }
-  return {centres, counts};
-}
-
-BOOST_AUTO_TEST_CASE(the_peak_of_a_parabola_is_its_vertex) {
-  BOOST_TEST(std::abs(made(-0.52, 0).peak() + 0.52) < 1e-9);
-  BOOST_TEST(made(-0.52, 0).second_rise() == 0);
-  BOOST_TEST(std::isnan(VelocityHistogram({0, 1, 2}, {0, 0, 0}).peak()));
-}
-
-BOOST_AUTO_TEST_CASE(a_second_peak_is_seen_on_either_side) {
-  BOOST_TEST(std::abs(made(-0.52, 0.4).second_rise() - 0.4) < 0.01);
-  BOOST_TEST(std::abs(made(4.8, 0.4).second_rise() - 0.4) < 0.05);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
