@@ -57,11 +57,12 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
 }
 
 std::string text_of(const SignChange& change, Density density) {
-  if (!change.found()) return "no change of sign";
-  return fmt::format("{} {:.3f} (Fieller's 98 % interval {:.3f} to {:.3f}; between the scenes of nu {:.3g} and {:.3g})",
-                     name_of(density), over_replicas(change.densities).mean, change.crossing.interval.lo,
-                     change.crossing.interval.hi, change.below->scene().area_fraction(),
-                     change.above->scene().area_fraction());
+  if (!change.found()) return "no density of the scenes";
+  const std::string between = fmt::format("between the scenes of nu {:.3g} and {:.3g}",
+                                          change.below->scene().area_fraction(), change.above->scene().area_fraction());
+  if (change.densities.size() < 2 || !change.crossing.bounded()) return "a density " + between;
+  return fmt::format("{} {:.3f} (Fieller's 98 % interval {:.3f} to {:.3f}; {})", name_of(density), change.crossing.at,
+                     change.crossing.interval.lo, change.crossing.interval.hi, between);
 }
 
 std::vector<std::string> crossing_notes(const SceneRow& row) {

@@ -1,6 +1,7 @@
 // The density at which a normal stress difference at the centre of the channel changes sign.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,13 @@ std::vector<double> centre_value(const SceneValues& scene, StressPart part, Mean
 struct SignChange {
   const SceneValues *below = nullptr, *above = nullptr;  ///< null: there is none
   std::vector<double> densities;                         ///< one per replica, replica r of both scenes together
-  Crossing crossing;                                     ///< of the line through both means, with Fieller's interval
+  Crossing crossing{0, {-INFINITY, INFINITY}};           ///< of the line through both means, with Fieller's interval
 
   [[nodiscard]] bool found() const { return below != nullptr; }
 };
 SignChange sign_change(const SceneRow& row, StressPart part, Density density, MeanFlow mean = MeanFlow::instantaneous);
 
-/// "nu 0.18 (0.16 to 0.20; between 0.15 and 0.3)", or that there is none.
+/// "nu 0.18 (0.16 to 0.20; between 0.15 and 0.3)", or that none of the scenes has it.
 std::string text_of(const SignChange& change, Density density);
 
 /// Where N_1 and its collisional part change sign along a row, in every reading; sentences.
