@@ -28,14 +28,19 @@ struct Points {
   std::vector<std::vector<double>> x, y;
 };
 
-Points points_in_range(const std::vector<SceneValues>& scan, const Reading& reading, double lowest, double highest) {
+std::vector<double> abscissa(const SceneValues& scene, const Reading& reading) {
+  return reading.x != nullptr ? scene.of(reading.x)
+                              : std::vector<double>(scene.replicas(), area_fraction(scene.scene()));
+}
+
+/// The range is one of `judged`'s x, so that all readings fit the same scenes.
+Points points_in_range(const std::vector<SceneValues>& scan, const Reading& judged, const Reading& reading,
+                       double lowest, double highest) {
   Points points;
   for (const SceneValues& scene : scan) {
-    std::vector<double> x = reading.x != nullptr ? scene.of(reading.x)
-                                                 : std::vector<double>(scene.replicas(), area_fraction(scene.scene()));
-    const double mean = over_replicas(x).mean, rounding = 1e-6;
+    const double mean = over_replicas(abscissa(scene, judged)).mean, rounding = 1e-6;
     if (mean < lowest * (1 - rounding) || mean > highest * (1 + rounding)) continue;
-    points.x.push_back(std::move(x));
+    points.x.push_back(abscissa(scene, reading));
     points.y.push_back(scene.of(reading.y));
   }
   return points;
@@ -93,7 +98,7 @@ Evidence power_law_evidence(const Claim& claim, const SceneRecords& records, con
     const double restitution = scan->first;
     const std::string at = fmt::format("e_n {:.2g}", restitution);
     for (const Reading& reading : relation.readings) {
-      const Points points = points_in_range(scan->second, reading, lowest, highest);
+      const Points points = points_in_range(scan->second, relation.readings[0], reading, lowest, highest);
       const Exponents fit = fit_exponents(points.x, points.y);
       const bool judged = &reading == relation.readings.data(),
                  stated = restitution > claim.parameter("lowest_restitution") - 1e-6;

@@ -10,9 +10,9 @@
 namespace gpf {
 
 /// T against the area fraction, in m g W. Smooth walls (fig. 4.27 a): T in bins 1, 5 and 9 falls from each area
-/// fraction to the next. Rough walls (figs. 4.27 b, 4.30): T in bins 1 and 9, and dT/dy at the walls, have a maximum in
-/// between.
-Evidence estimate_temp_density(const Claim&, Tier, const SceneRecords& records) {
+/// fraction to the next. Rough walls: T_w (bin 1) and dT/dy at the walls (fig. 4.30), and above e_n `profiles_from` T
+/// at the centre (fig. 4.27 b), have a maximum in between.
+Evidence estimate_temp_density(const Claim& claim, Tier, const SceneRecords& records) {
   Evidence evidence;
   evidence.plot = {
       .title = "Temperature at the walls", .xlabel = "mean area fraction", .ylabel = "T_w, m g W", .logx = true};
@@ -40,12 +40,22 @@ Evidence estimate_temp_density(const Claim&, Tier, const SceneRecords& records) 
     const std::string walls = fmt::format("rough walls, e_n {:.2g}", restitution);
     evidence.plot.series.push_back(points_of(walls, scan, area_fraction, "wall_temperature"));
     const std::vector<double> nu = numbers_of(scan, area_fraction);
-    for (const int bin : {0, scan.front().half() - 1})
-      add_extremum(evidence, fmt::format("{}, bin {}: T at nu", walls, bin + 1), nu, temperatures(scan, bin),
-                   Extremum::maximum);
-    for (const char* gradient : {"wall_temperature_gradient", "wall_temperature_gradient_extrapolated"})
-      add_extremum(evidence, fmt::format("{}: {} at nu", walls, gradient), nu, values_of(scan, gradient),
-                   Extremum::maximum);
+    const auto judge = [&](const std::string& what, const std::vector<std::vector<double>>& values) {
+      add_extremum(evidence, fmt::format("{}: {} at nu", walls, what), nu, values, Extremum::maximum);
+    };
+    judge("T_w", values_of(scan, "wall_temperature"));
+    judge("dT/dy", values_of(scan, "wall_temperature_gradient"));
+    if (restitution > claim.parameter("profiles_from"))
+      judge("T at the centre", temperatures(scan, scan.front().half() - 1));
+    std::string seen;
+    for (const SceneValues& scene : scan)
+      seen += fmt::format(" {:.2g}: {}, {}, {}, {},", area_fraction(scene.scene()),
+                          with_error(scene.of("wall_temperature")),
+                          with_error(scene.mirrored("granular_temperature", scene.half() - 1)),
+                          with_error(scene.of("wall_temperature_gradient")),
+                          with_error(scene.of("wall_temperature_gradient_extrapolated")));
+    evidence.notes.push_back(
+        fmt::format("{}: T_w, T at the centre, dT/dy and dT/dy extrapolated to the wall at nu{}.", walls, seen));
   }
   return evidence;
 }
