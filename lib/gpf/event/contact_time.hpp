@@ -3,24 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gpf/event/disk.hpp"
 #include "gpf/event/lane.hpp"
 
 namespace gpf {
 
-inline constexpr double never = std::numeric_limits<double>::infinity();
-
 /// Two disks at the later of their times; r from a to b, u = u_b - u_a.
 template <class Real>
 struct Encounter {
-  Real rx, ry;
+  Real gap;           ///< r^2 - d^2
   Real approach;      ///< r.u, negative while they approach
   Real discriminant;  ///< u^2 d^2 - (r x u)^2, positive when they meet: this form stays accurate for far pairs
 
   /// Whether they will touch. A grazing pass (discriminant zero) is no contact.
   [[nodiscard]] auto meet() const { return (approach < 0) & (discriminant > 0); }
+};
+
+/// When two disks touch.
+template <class Real>
+struct ContactOf {
+  Real time;
+  decltype(Real{} < Real{}) overlap;  ///< the pair approaches from deeper inside each other than round-off explains
 };
 
 /// Finds the next contact of two disks. The answer is a function of the two states alone - not of the time at which
@@ -46,20 +50,15 @@ class ContactTime {
     }
     const Real ux = b.vx - a.vx, uy = b.vy - a.vy;
     const Real moment = rx * uy - ry * ux;
-    return {rx, ry, rx * ux + ry * uy, (ux * ux + uy * uy) * d2_ - moment * moment};
+    return {rx * rx + ry * ry - d2_, rx * ux + ry * uy, (ux * ux + uy * uy) * d2_ - moment * moment};
   }
-
-  struct Contact {
-    double time;
-    bool overlap;  ///< the pair approaches from deeper inside each other than round-off explains
-  };
 
   /// Of an encounter whose disks meet. The root as gap/(sqrt(disc) - r.u), which stays accurate for near pairs;
   /// a pair inside each other touches at once.
-  [[nodiscard]] Contact contact(const Encounter<double>& e, double time_a, double time_b) const {
-    const double gap = e.rx * e.rx + e.ry * e.ry - d2_;
-    const double flight = gap / (std::sqrt(e.discriminant) - e.approach);
-    return {std::max(time_a, time_b) + std::max(flight, 0.0), gap < deepest_gap_};
+  template <bool a_is_latest = false, class Real>
+  [[nodiscard]] ContactOf<Real> contact(const Encounter<Real>& e, double time_a, Real time_b) const {
+    const Real flight = positive_part(e.gap / (square_root(e.discriminant) - e.approach));
+    return {(a_is_latest ? Real{} + time_a : later(time_a, time_b)) + flight, e.gap < deepest_gap_};
   }
 
  private:

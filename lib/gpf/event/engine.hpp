@@ -69,24 +69,20 @@ class Engine {
   static double epoch_length(const Scene& scene);
 
  private:
-  /// What is known of one disk besides its flight, which its cell holds.
-  struct alignas(64) Plan {
+  /// What only the engine needs to know of a disk.
+  struct alignas(32) Plan {
     double exit = never;  ///< when it leaves its cell or meets the wall
     double last_contact = -never;
-    Index partner = -1;                ///< of the next contact
-    std::uint32_t partner_events = 0;  ///< of the partner when the contact was found
-    Index id = 0;                      ///< the disk's number in the scene
     Place place;
     Side side = Side::left;  ///< of the exit
     bool wall = false;       ///< the exit is a wall
   };
 
+  Disk& disk(Index i) { return disks_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Disk& disk(Index i) const { return disks_[static_cast<std::size_t>(i)]; }
   Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
-  /// Time of the next contact found by a disk; beside each other, for neighbours ask for it.
-  double& contact(Index i) { return contacts_[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] double contact(Index i) const { return contacts_[static_cast<std::size_t>(i)]; }
-  /// Contacts of a disk in this epoch: what was predicted at another number is stale.
-  std::uint32_t& events(Index i) { return events_[static_cast<std::size_t>(i)]; }
+  /// Whether the contact that a disk has found is off, because its partner has had another.
+  [[nodiscard]] bool is_stale(const Disk& a) const { return disk(a.partner).events != a.partner_events; }
   [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
   [[nodiscard]] double frame_velocity_at(double t) const { return frame_velocity_ + gravity_ * t; }
 
@@ -102,7 +98,7 @@ class Engine {
   template <bool is_latest>  // whether disk i has just begun its flight: none is later
   void predict(Index i);
   template <bool is_latest>
-  void look(Index i, Cells::Block block);
+  void look(Index i, Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
   void foresee();
   void next_epoch();
@@ -112,20 +108,19 @@ class Engine {
   void watch_for_collapse(double t);
   [[nodiscard]] Vec2 lab_position(const Flight& f, double t) const;
   [[nodiscard]] std::string describe(Index i) const;
-  [[noreturn]] void fail_overlap(Index i, Index j) const;
+  [[noreturn]] void fail_overlap(Index i) const;
   [[noreturn]] void fail_backwards(Index i) const;
 
   Scene scene_;
   Physics physics_;
-  bool channel_;
+  bool channel_, foresees_;
   PositionGrid grid_;
   double length_, lower_, upper_, gravity_, epoch_length_;
   ContactTime contact_time_;
   Cells cells_;
   Queue queue_;
+  std::vector<Disk, HugePages<Disk>> disks_;  // in the order of cells; the last is nobody
   std::vector<Plan, HugePages<Plan>> plans_;
-  std::vector<double, HugePages<double>> contacts_;
-  std::vector<std::uint32_t, HugePages<std::uint32_t>> events_;
   std::int64_t epoch_ = 0;
   double now_ = 0;  // within the epoch
   double frame_velocity_ = 0, frame_offset_ = 0;
@@ -144,18 +139,18 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
   for (Index i = queue_.earliest(first); i >= 0 && queue_.time(i) <= until; i = queue_.earliest(first)) {
     if (queue_.time(i) < now_) fail_backwards(i);
     now_ = queue_.time(i);
-    foresee();
-    Plan& mine = plan(i);
-    if (mine.exit < contact(i)) {
-      if (mine.wall)
-        bounce(i, mine.exit, observer);
+    if (foresees_) foresee();
+    const Disk& mine = disk(i);
+    if (plan(i).exit < mine.contact) {
+      if (plan(i).wall)
+        bounce(i, now_, observer);
       else
         cross(i);
-    } else if (events(mine.partner) == mine.partner_events) {
-      collide(i, mine.partner, contact(i), observer);
-    } else {
+    } else if (is_stale(mine)) {
       ++counts_.stale;
       predict<false>(i);
+    } else {
+      collide(i, mine.partner, now_, observer);
     }
   }
   now_ = until;
@@ -165,11 +160,11 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
 /// higher number, then walls. It knows contacts only, so that a tie cannot let the queue or the cells decide.
 template <class Queue, class Physics>
 std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
-  const Plan& mine = plans_[static_cast<std::size_t>(i)];
-  if (mine.exit < contact(i)) return mine.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
-  const auto partner = static_cast<std::size_t>(mine.partner);
-  if (events_[partner] != mine.partner_events) return 0;
-  const auto [low, high] = std::minmax(mine.id, plans_[partner].id);
+  const Disk& mine = disk(i);
+  const Plan& plan = plans_[static_cast<std::size_t>(i)];
+  if (plan.exit < mine.contact) return plan.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
+  if (is_stale(mine)) return 0;
+  const auto [low, high] = std::minmax(mine.id, disk(mine.partner).id);
   return (static_cast<std::uint64_t>(low) << 32) + static_cast<std::uint64_t>(high);
 }
 
@@ -177,21 +172,20 @@ template <class Queue, class Physics>
 template <class Observer>
 void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& observer) {
   // Observers see the lower number first, whichever of the two found the contact.
-  if (plan(i).id > plan(j).id) std::swap(i, j);
-  Plan &mine = plan(i), &other = plan(j);
-  Flight a = flown(cells_.flight(mine.place.slot), t), b = flown(cells_.flight(other.place.slot), t);
+  if (disk(i).id > disk(j).id) std::swap(i, j);
+  Disk &mine = disk(i), &other = disk(j);
+  Flight a = flown(mine.flight, t), b = flown(other.flight, t);
   const auto nearest = [](double r, double period) {
     return 2 * r > period ? r - period : 2 * r < -period ? r + period : r;
   };
   const Vec2 r_12{nearest(b.x - a.x, length_), channel_ ? b.y - a.y : nearest(b.y - a.y, 1)};
-  const double quiet = t - std::max(mine.last_contact, other.last_contact);
+  const double quiet = t - std::max(plan(i).last_contact, plan(j).last_contact);
   const PairOutcome outcome = physics_.pair(r_12, {a.vx - b.vx, a.vy - b.vy}, quiet);
   a.vx -= outcome.impulse.x, a.vy -= outcome.impulse.y;
   b.vx += outcome.impulse.x, b.vy += outcome.impulse.y;
-  cells_.set(mine.place.slot, a);
-  cells_.set(other.place.slot, b);
-  ++events(i), ++events(j);
-  mine.last_contact = other.last_contact = t;
+  mine.flight = a, other.flight = b;
+  ++mine.events, ++other.events;
+  plan(i).last_contact = plan(j).last_contact = t;
   trace_.add(epoch_, t, mine.id, other.id);
   deepest_ = std::max(deepest_, square(scene_.diameter()) - dot(r_12, r_12));
   if ((++counts_.pair_contacts & 0xffff) == 0) watch_for_collapse(t);
@@ -212,17 +206,17 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
 template <class Queue, class Physics>
 template <class Observer>
 void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
-  Plan& mine = plan(i);
-  Flight a = flown(cells_.flight(mine.place.slot), t);
-  const Wall wall = mine.side == Side::lower ? Wall::lower : Wall::upper;
+  Disk& mine = disk(i);
+  Flight a = flown(mine.flight, t);
+  const Wall wall = plan(i).side == Side::lower ? Wall::lower : Wall::upper;
   a.y = wall == Wall::lower ? lower_ : upper_;
   const double frame = frame_velocity_at(t);
   const Vec2 before{a.vx + frame, a.vy};
-  const Vec2 after = physics_.wall(before, wall, t - mine.last_contact);
+  const Vec2 after = physics_.wall(before, wall, t - plan(i).last_contact);
   a.vx = after.x - frame, a.vy = after.y;
-  cells_.set(mine.place.slot, a);
-  ++events(i);
-  mine.last_contact = t;
+  mine.flight = a;
+  ++mine.events;
+  plan(i).last_contact = t;
   trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
   ++counts_.wall_contacts;
   observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
@@ -234,22 +228,23 @@ void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::cross(Index i) {
   ++counts_.crossings;
-  Plan& mine = plan(i);
-  if (cells_.cross(mine.place, i, mine.side)) return enter(i);
-  if (mine.partner >= 0 && events(mine.partner) != mine.partner_events) return predict<false>(i);
-  look<false>(i, Cells::ahead(mine.side));
+  Disk& mine = disk(i);
+  const Side side = plan(i).side;
+  if (cells_.cross(plan(i).place, i, side, mine.flight)) return enter(i);
+  if (mine.partner >= 0 && is_stale(mine)) return predict<false>(i);
+  look<false>(i, ahead(side));
 }
 
 /// A disk that goes round the box begins a new flight where it enters, because coordinates far outside would not be
 /// exact. What was predicted for it is stale.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::enter(Index i) {
-  Plan& mine = plan(i);
-  const Flight f = cells_.flight(mine.place.slot);
-  const double x = mine.side == Side::left ? length_ : 0, y = mine.side == Side::lower ? 1 : 0;
-  const bool sideways = mine.side == Side::left || mine.side == Side::right;
-  cells_.set(mine.place.slot, flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy)));
-  ++events(i);
+  const Side side = plan(i).side;
+  Flight& f = disk(i).flight;
+  const double x = side == Side::left ? length_ : 0, y = side == Side::lower ? 1 : 0;
+  const bool sideways = side == Side::left || side == Side::right;
+  f = flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy));
+  ++disk(i).events;
   predict<false>(i);
 }
 
@@ -258,39 +253,30 @@ void Engine<Queue, Physics>::enter(Index i) {
 template <class Queue, class Physics>
 template <bool is_latest>
 void Engine<Queue, Physics>::predict(Index i) {
-  contact(i) = never;
-  plan(i).partner = -1;
-  look<is_latest>(i, Cells::Block::all);
+  disk(i).contact = never;
+  disk(i).partner = -1;
+  look<is_latest>(i, Block::all);
 }
 
 /// Schedules the earliest of the contact known, the contacts with disks of the block of cells (equal times: the lower
 /// number first) and the exit from the cell.
 template <class Queue, class Physics>
 template <bool is_latest>
-void Engine<Queue, Physics>::look(Index i, Cells::Block block) {
-  Plan& mine = plan(i);
-  const Flight flight = cells_.flight(mine.place.slot);
-  double earliest = contact(i);
-  Index partner = mine.partner;
-  cells_.template for_contacts<is_latest>(mine.place, flight, block, contact_time_,
-                                          [&](Index j, ContactTime::Contact found) {
-                                            if (found.overlap) [[unlikely]]
-                                              fail_overlap(i, j);
-                                            if (found.time > earliest || found.time > contact(j))
-                                              return;  // the partner will collide before
-                                            if (found.time == earliest && partner >= 0 && plan(partner).id < plan(j).id)
-                                              return;
-                                            earliest = found.time;
-                                            partner = j;
-                                          });
-  contact(i) = earliest;
-  mine.partner = partner;
-  if (mine.partner >= 0) mine.partner_events = events(mine.partner);
-  const auto exit = cells_.exit(mine.place, flight);
-  mine.exit = exit.time;
-  mine.side = exit.side;
-  mine.wall = exit.wall;
-  queue_.schedule(i, std::min(mine.exit, earliest));
+void Engine<Queue, Physics>::look(Index i, Block block) {
+  Disk& mine = disk(i);
+  Plan& plan = this->plan(i);
+  const Flight flight = mine.flight;
+  const FoundContact found = cells_.template earliest<is_latest>(
+      plan.place, flight, {mine.contact, mine.partner}, block, disks_.data(), static_cast<Index>(plans_.size()),
+      contact_time_, [&] { fail_overlap(i); });
+  mine.contact = found.time;
+  mine.partner = found.partner;
+  if (found.partner >= 0) mine.partner_events = disk(found.partner).events;
+  const auto exit = cells_.exit(plan.place, flight);
+  plan.exit = exit.time;
+  plan.side = exit.side;
+  plan.wall = exit.wall;
+  queue_.schedule(i, std::min(exit.time, found.time));
 }
 
 /// Free flight to time t of the epoch; displacements are rounded to the grid, so that reflections commute with it.
@@ -303,15 +289,20 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
 /// Asks for the memory that the coming events will read: it takes longer to come than many events last.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::foresee() {
-  const auto will_collide = [this](Index i) { return plan(i).partner >= 0 && contact(i) <= plan(i).exit; };
-  queue_.foresee([&](Index i) { __builtin_prefetch(&plan(i)); },
-                 [&](Index i) {
-                   cells_.prefetch(plan(i).place, Cells::Block::all);
-                   if (will_collide(i)) __builtin_prefetch(&plan(plan(i).partner));
-                 },
-                 [&](Index i) {
-                   if (will_collide(i)) cells_.prefetch(plan(plan(i).partner).place, Cells::Block::all);
-                 });
+  const auto will_collide = [this](Index i) { return disk(i).partner >= 0 && disk(i).contact <= plan(i).exit; };
+  queue_.foresee(
+      [&](Index i) {
+        __builtin_prefetch(&disk(i));
+        __builtin_prefetch(&plan(i));
+      },
+      [&](Index i) {
+        cells_.prefetch(plan(i).place);
+        if (will_collide(i)) __builtin_prefetch(&plan(disk(i).partner));
+      },
+      [&](Index i) {
+        cells_.prefetch_disks(plan(i).place, disks_.data());
+        if (will_collide(i)) cells_.prefetch(plan(disk(i).partner).place);
+      });
 }
 
 // ---- epochs ----
@@ -330,7 +321,7 @@ template <class Queue, class Physics>
 void Engine<Queue, Physics>::next_epoch() {
   std::vector<Flight> flights(plans_.size());
   for (std::size_t k = 0; k < plans_.size(); ++k) {
-    flights[k] = flown(cells_.flight(plans_[k].place.slot), epoch_length_);
+    flights[k] = flown(disks_[k].flight, epoch_length_);
     flights[k].time = 0;
     plans_[k].last_contact -= epoch_length_;
   }
@@ -364,14 +355,12 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   now_ = 0;
   events_before_ = counts_.examined();
   settle(flights);
-  contacts_.assign(plans_.size(), never);
-  events_.assign(plans_.size(), 0);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
   for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict<true>(i);
 }
 
-/// Puts the disks into their cells, and what is known of neighbours beside each other in memory: disks are renumbered
-/// along the cells. Changes no trajectory, for they keep their ids.
+/// Puts the disks into their cells, and neighbours beside each other in memory: disks are renumbered along the cells.
+/// Changes no trajectory, for they keep their ids.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
   std::vector<std::size_t> first(cells_.size() + 1, 0);
@@ -381,12 +370,17 @@ void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
   }
   for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
   cells_.clear();
+  std::vector<Disk, HugePages<Disk>> disks(disks_.size());
   std::vector<Plan, HugePages<Plan>> plans(plans_.size());
   for (std::size_t k = 0; k < plans_.size(); ++k) {
     const std::size_t i = first[cells_.number(plans_[k].place)]++;
     plans[i] = plans_[k];
-    cells_.insert(plans[i].place, static_cast<Index>(i), flights[k]);
+    disks[i].flight = flights[k];
+    disks[i].id = disks_[k].id;
+    cells_.insert(plans[i].place, static_cast<Index>(i));
   }
+  disks.back().flight.x = disks.back().flight.y = std::numeric_limits<double>::quiet_NaN();
+  disks_.swap(disks);
   plans_.swap(plans);
 }
 

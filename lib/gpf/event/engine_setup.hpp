@@ -27,6 +27,7 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
     : scene_(scene),
       physics_(scene),
       channel_(scene.geometry == Geometry::channel),
+      foresees_(scene.particles >= 5000),
       grid_(scene.length(), 1),
       length_(grid_.round(scene.length())),
       lower_(channel_ ? grid_.round(scene.diameter() / 2) : 0),
@@ -47,11 +48,12 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
   detail::require_apart(scene, state);
   const auto count = static_cast<std::size_t>(scene.particles);
   plans_.resize(count);
+  disks_.resize(count + 1);
   std::vector<Flight> flights(count);
   for (std::size_t i = 0; i < count; ++i) {
     flights[i] = {grid_.round(state.x[i]), grid_.round(state.y[i]), state.vx[i], state.vy[i], 0};
     plans_[i].last_contact = state.last_contact[i];
-    plans_[i].id = static_cast<Index>(i);
+    disks_[i].id = static_cast<Index>(i);
   }
   begin_epoch(flights);
 }
@@ -87,13 +89,14 @@ State Engine<Queue, Physics>::state() const {
   State state;
   state.position.resize(plans_.size());
   state.velocity.resize(plans_.size());
-  for (const Plan& plan : plans_) {
-    const Flight f = cells_.flight(plan.place.slot);
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    const Flight& f = disks_[k].flight;
+    const auto id = static_cast<std::size_t>(disks_[k].id);
     Vec2 r = lab_position(f, now_);
     r.x = inside(r.x, length_);
     if (!channel_) r.y = inside(r.y, 1);
-    state.position[static_cast<std::size_t>(plan.id)] = r;
-    state.velocity[static_cast<std::size_t>(plan.id)] = {f.vx + frame_velocity_at(now_), f.vy};
+    state.position[id] = r;
+    state.velocity[id] = {f.vx + frame_velocity_at(now_), f.vy};
   }
   return state;
 }
@@ -105,12 +108,12 @@ EngineState Engine<Queue, Physics>::checkpoint() const {
                      "advance to epoch_end() first");
   EngineState state{epoch_, frame_velocity_, frame_offset_, {}, {}, {}, {}, {}, trace_.value(), counts_};
   for (auto* values : {&state.x, &state.y, &state.vx, &state.vy, &state.last_contact}) values->resize(plans_.size());
-  for (const Plan& plan : plans_) {
-    const auto id = static_cast<std::size_t>(plan.id);
-    const Flight f = cells_.flight(plan.place.slot);
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    const auto id = static_cast<std::size_t>(disks_[k].id);
+    const Flight& f = disks_[k].flight;
     state.x[id] = f.x, state.y[id] = f.y;
     state.vx[id] = f.vx, state.vy[id] = f.vy;
-    state.last_contact[id] = plan.last_contact;
+    state.last_contact[id] = plans_[k].last_contact;
   }
   return state;
 }
@@ -130,8 +133,8 @@ void Engine<Queue, Physics>::watch_for_collapse(double t) {
 template <class Queue, class Physics>
 std::string Engine<Queue, Physics>::describe(Index i) const {
   const Plan& plan = plans_[static_cast<std::size_t>(i)];
-  const Flight f = cells_.flight(plan.place.slot);
-  return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", plan.id, f.x, f.y,
+  const Flight& f = disk(i).flight;
+  return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", disk(i).id, f.x, f.y,
                      f.vx, f.vy, f.time, plan.place.column, plan.place.row);
 }
 
@@ -143,9 +146,9 @@ void Engine<Queue, Physics>::fail_backwards(Index i) const {
 }
 
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::fail_overlap(Index i, Index j) const {
-  throw PhysicsError(fmt::format("two disks overlap beyond round-off and approach, epoch {} ({}; {})", epoch_,
-                                 describe(i), describe(j)),
+void Engine<Queue, Physics>::fail_overlap(Index i) const {
+  throw PhysicsError(fmt::format("a disk overlaps another beyond round-off and approaches it, epoch {} ({})",
+                                 epoch_, describe(i)),
                      "a contact was missed or the start state overlaps",
                      "check the start state; if gpf made it, this is a bug: report it with the scene and this message");
 }

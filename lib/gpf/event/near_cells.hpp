@@ -1,4 +1,4 @@
-// The neighbours of a cell along one axis of the grid, round the period where the grid closes on itself.
+// The cells around a cell: where they lie in the grid, and how far round the period.
 #pragma once
 
 #include <algorithm>
@@ -10,49 +10,64 @@
 
 namespace gpf {
 
-/// At most three cells in a row: how far each is from the cell in the middle, in cells of the grid, and the shift that
-/// brings its disks beside that cell.
+/// What a disk looks at: its whole neighbourhood, or what came into reach when it crossed a side of the cell before.
+enum class Block : std::uint8_t { ahead_left, ahead_right, ahead_lower, ahead_upper, all };
+inline constexpr std::size_t block_count = 5;
+
+/// At most nine cells: how far each is from the cell in the middle, in cells of the grid (rows first), and the shift
+/// that brings its disks beside that cell.
 struct NearCells {
+  struct Cell {
+    std::ptrdiff_t offset;
+    double shift_x, shift_y;
+  };
   std::size_t count = 0;
-  std::array<std::ptrdiff_t, 3> offset{};
-  std::array<double, 3> shift{};
+  bool shifted = false;  ///< some of them lie round a period
+  std::array<Cell, 9> cells{};
 };
 
-/// The neighbours of any cell along an axis: those of the first, an inner and the last cell are all that there are.
-class NearCellsOfAxis {
+/// The blocks of any cell of a grid. Those of the first, an inner and the last row and column are all that there are.
+class NearCellsOfGrid {
  public:
-  enum class Which : std::uint8_t { before, after, both };  ///< both: and the cell itself
-
-  NearCellsOfAxis() = default;
-  /// `size` cells, `stride` apart in the grid. `period`: 0 if the axis does not close on itself.
-  NearCellsOfAxis(Index size, std::ptrdiff_t stride, double period) : last_(size - 1) {
-    for (const Index at : {Index{0}, std::min(Index{1}, last_), last_})
-      for (const Which which : {Which::before, Which::after, Which::both})
-        cells_[edge(at)][static_cast<std::size_t>(which)] = around(at, which, stride, period);
+  NearCellsOfGrid() = default;
+  /// A period is 0 where the grid ends at walls.
+  NearCellsOfGrid(Index columns, Index rows, double period_x, double period_y)
+      : last_column_(columns - 1), last_row_(rows - 1) {
+    for (const Index row : {Index{0}, std::min(Index{1}, last_row_), last_row_})
+      for (const Index column : {Index{0}, std::min(Index{1}, last_column_), last_column_})
+        for (std::size_t block = 0; block < block_count; ++block)
+          blocks_[kind(column, row)][block] = around(column, row, static_cast<Block>(block), period_x, period_y);
   }
 
-  [[nodiscard]] const NearCells& operator()(Index at, Which which) const {
-    return cells_[edge(at)][static_cast<std::size_t>(which)];
+  [[nodiscard]] const NearCells& operator()(Index column, Index row, Block block) const {
+    return blocks_[kind(column, row)][static_cast<std::size_t>(block)];
   }
 
  private:
-  [[nodiscard]] std::size_t edge(Index at) const { return std::size_t{at > 0} + std::size_t{at == last_}; }
-
-  [[nodiscard]] NearCells around(Index at, Which which, std::ptrdiff_t stride, double period) const {
-    NearCells cells;
-    for (Index near = at - (which != Which::after); near <= at + (which != Which::before); ++near) {
-      if (near == at && which != Which::both) continue;
-      const bool below = near<0, above = near> last_;
-      if ((below || above) && period == 0) continue;
-      cells.offset[cells.count] = stride * ((below ? last_ : above ? 0 : near) - at);
-      cells.shift[cells.count] = below ? -period : above ? period : 0;
-      ++cells.count;
-    }
-    return cells;
+  static std::size_t edge(Index at, Index last) { return std::size_t{at == 0} + 2 * std::size_t{at == last}; }
+  [[nodiscard]] std::size_t kind(Index column, Index row) const {
+    return 4 * edge(row, last_row_) + edge(column, last_column_);
   }
 
-  Index last_ = 0;
-  std::array<std::array<NearCells, 3>, 3> cells_;
+  [[nodiscard]] NearCells around(Index column, Index row, Block block, double period_x, double period_y) const {
+    const Index left = block == Block::ahead_right ? 1 : -1, right = block == Block::ahead_left ? -1 : 1;
+    const Index lower = block == Block::ahead_upper ? 1 : -1, upper = block == Block::ahead_lower ? -1 : 1;
+    const auto beyond = [](Index at, Index last) { return at < 0 ? -1 : at > last ? 1 : 0; };
+    NearCells near;
+    for (Index y = lower; y <= upper; ++y)
+      for (Index x = left; x <= right; ++x) {
+        const int over_x = beyond(column + x, last_column_), over_y = beyond(row + y, last_row_);
+        if ((over_x != 0 && period_x == 0) || (over_y != 0 && period_y == 0)) continue;
+        const std::ptrdiff_t columns = last_column_ + 1, rows = last_row_ + 1;
+        near.cells[near.count++] = {(y - over_y * rows) * columns + x - over_x * columns, over_x * period_x,
+                                    over_y * period_y};
+        near.shifted |= over_x != 0 || over_y != 0;
+      }
+    return near;
+  }
+
+  Index last_column_ = 0, last_row_ = 0;
+  std::array<std::array<NearCells, block_count>, 16> blocks_;
 };
 
 }  // namespace gpf
