@@ -11,6 +11,7 @@
 
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/fetch.hpp"
 #include "gpf/event/huge_pages.hpp"
 #include "gpf/event/near_cells.hpp"
 #include "gpf/event/neighbourhood.hpp"
@@ -104,22 +105,29 @@ class Cells {
     return {f.time + (sideways ? flight_x : flight_y), side, wall && !sideways};
   }
 
+  /// The cell beyond a side, where `x` and `y` count how often that goes round the grid.
+  struct Beyond {
+    Place place;
+    int x, y;
+  };
+  [[nodiscard]] Beyond beyond(const Place& place, Side side) const {
+    const auto k = static_cast<std::size_t>(side);
+    const Index column = place.column + std::array{-1, 1, 0, 0}[k], row = place.row + std::array{0, 0, -1, 1}[k];
+    const auto round = [](Index at, Index count) { return at < 0 ? -1 : at == count ? 1 : 0; };
+    const int x = round(column, columns_), y = round(row, rows_);
+    return {{column - x * columns_, row - y * rows_}, x, y};
+  }
+
   /// Moves disk i to the cell beyond a side; where the grid closes on itself its coordinate changes by a period,
   /// exactly. Returns whether it did: whether the disk has gone round the box.
   bool cross(Place& place, Index i, Side side, Flight& flight) {
     remove(place, i);
-    const auto k = static_cast<std::size_t>(side);
-    place.column += std::array{-1, 1, 0, 0}[k];
-    place.row += std::array{0, 0, -1, 1}[k];
-    const auto beyond = [](Index at, Index count) { return at < 0 ? -1 : at == count ? 1 : 0; };
-    const int over_x = beyond(place.column, columns_), over_y = beyond(place.row, rows_);
-    const bool round = over_x != 0 || over_y != 0;
-    if (round) {
-      place.column -= over_x * columns_, place.row -= over_y * rows_;
-      flight.x -= over_x * length_, flight.y -= over_y;
-    }
+    const Beyond next = beyond(place, side);
+    place = next.place;
     insert(place, i);
-    return round;
+    if (next.x == 0 && next.y == 0) return false;
+    flight.x -= next.x * length_, flight.y -= next.y;
+    return true;
   }
 
   /// The earliest contact of flight `a` with the disks of a block of cells around `place`; see Neighbourhood.
@@ -133,19 +141,19 @@ class Cells {
     return ask<a_is_latest, false>(near, home, a, known, disks, nobody, contact_time, fail);
   }
 
-  /// Fetches the cells around `place` from memory.
-  void prefetch(const Place& place) const {
+  /// Fetches a block of cells around `place` from memory.
+  void fetch_cells(const Place& place, Block block) const {
     const CellLine* const home = &lines_[number(place)];
-    const NearCells& near = near_(place.column, place.row, Block::all);
-    for (std::size_t k = 0; k < near.count; ++k) __builtin_prefetch(home + near.cells[k].offset);
+    const NearCells& near = near_(place.column, place.row, block);
+    for (std::size_t k = 0; k < near.count; ++k) fetch(home + near.cells[k].offset);
   }
-  /// Fetches the disks of the cells around `place`.
-  void prefetch_disks(const Place& place, const Disk* disks) const {
+  /// Fetches two disks of each of these cells, whether or not it has so many: that costs less than a branch.
+  void fetch_disks(const Place& place, Block block, const Disk* disks) const {
     const CellLine* const home = &lines_[number(place)];
-    const NearCells& near = near_(place.column, place.row, Block::all);
+    const NearCells& near = near_(place.column, place.row, block);
     for (std::size_t k = 0; k < near.count; ++k) {
       const CellLine& line = home[near.cells[k].offset];
-      for (unsigned m = 0; m < line.count; ++m) __builtin_prefetch(&disks[line.disks[m]]);
+      for (std::size_t m = 0; m < 2; ++m) fetch(&disks[line.disks[m]]);
     }
   }
 

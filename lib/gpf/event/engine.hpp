@@ -17,6 +17,7 @@
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
 #include "gpf/event/engine_state.hpp"
+#include "gpf/event/fetch.hpp"
 #include "gpf/event/huge_pages.hpp"
 #include "gpf/event/observer.hpp"
 #include "gpf/event/position_grid.hpp"
@@ -39,7 +40,7 @@ template <class Queue = CalendarQueue, class Physics = GranularPhysics>
 class Engine {
  public:
   /// Starts from a laboratory-frame state at time 0.
-  /// `disks_per_cell` decides about speed only; 0 chooses by density. Throws PhysicsError if disks overlap, InputError
+  /// `disks_per_cell` decides about speed only; 0 takes the best. Throws PhysicsError if disks overlap, InputError
   /// if a disk is outside the box or a period is too short.
   Engine(const Scene& scene, const State& start, double disks_per_cell = 0);
 
@@ -69,6 +70,13 @@ class Engine {
   static double epoch_length(const Scene& scene);
 
  private:
+  /// Larger cells are crossed less often, smaller ones hold fewer disks out of reach. Measured at N = 10^3 and 10^5,
+  /// area fractions .05, .30 and .70: from 1.0 to 1.4 it makes no difference beyond 3 %, outside it costs up to 20 %.
+  static constexpr double best_disks_per_cell = 1.25;
+  /// From so many disks on the loop waits for memory rather than for arithmetic, and it pays to fetch ahead: at N =
+  /// 10^4 that makes it 1.3 to 1.4 times slower, at 10^5 1.2 to 1.6 times faster.
+  static constexpr std::int32_t fits_near_memory = 50'000;
+
   /// What only the engine needs to know of a disk.
   struct alignas(32) Plan {
     double exit = never;  ///< when it leaves its cell or meets the wall
@@ -266,9 +274,9 @@ void Engine<Queue, Physics>::look(Index i, Block block) {
   Disk& mine = disk(i);
   Plan& plan = this->plan(i);
   const Flight flight = mine.flight;
-  const FoundContact found = cells_.template earliest<is_latest>(
-      plan.place, flight, {mine.contact, mine.partner}, block, disks_.data(), static_cast<Index>(plans_.size()),
-      contact_time_, [&] { fail_overlap(i); });
+  const FoundContact found =
+      cells_.template earliest<is_latest>(plan.place, flight, {mine.contact, mine.partner}, block, disks_.data(),
+                                          static_cast<Index>(plans_.size()), contact_time_, [&] { fail_overlap(i); });
   mine.contact = found.time;
   mine.partner = found.partner;
   if (found.partner >= 0) mine.partner_events = disk(found.partner).events;
@@ -289,20 +297,26 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
 /// Asks for the memory that the coming events will read: it takes longer to come than many events last.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::foresee() {
-  const auto will_collide = [this](Index i) { return disk(i).partner >= 0 && disk(i).contact <= plan(i).exit; };
-  queue_.foresee(
-      [&](Index i) {
-        __builtin_prefetch(&disk(i));
-        __builtin_prefetch(&plan(i));
-      },
-      [&](Index i) {
-        cells_.prefetch(plan(i).place);
-        if (will_collide(i)) __builtin_prefetch(&plan(disk(i).partner));
-      },
-      [&](Index i) {
-        cells_.prefetch_disks(plan(i).place, disks_.data());
-        if (will_collide(i)) cells_.prefetch(plan(disk(i).partner).place);
-      });
+  queue_.foresee([this](int stage, Index i) {
+    if (stage == 0) {
+      fetch(&disk(i));
+      fetch(&plan(i));
+      return queue_.fetch_links(i);
+    }
+    const bool crosses = plan(i).exit < disk(i).contact && !plan(i).wall, collides = plan(i).exit >= disk(i).contact;
+    const Place place = crosses ? cells_.beyond(plan(i).place, plan(i).side).place : plan(i).place;
+    const Block block = crosses ? ahead(plan(i).side) : Block::all;
+    const Index partner = disk(i).partner;
+    if (stage == 1) {
+      cells_.fetch_cells(place, block);
+      if (collides) fetch(&plan(partner));
+    } else if (stage == 2) {
+      cells_.fetch_disks(place, block, disks_.data());
+      if (collides) cells_.fetch_cells(plan(partner).place, Block::all);
+    } else if (collides) {
+      cells_.fetch_disks(plan(partner).place, Block::all, disks_.data());
+    }
+  });
 }
 
 // ---- epochs ----

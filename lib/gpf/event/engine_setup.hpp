@@ -13,21 +13,12 @@ double Engine<Queue, Physics>::epoch_length(const Scene& scene) {
   return std::ldexp(1.0, std::ilogb(std::min(32 / scene.reference_collision_rate(), 2 / scene.velocity_scale())));
 }
 
-namespace detail {
-
-/// Larger cells are crossed less often, smaller ones hold fewer disks out of reach. Counted with cachegrind, N = 10^5
-/// (instructions, misses of an 8 MB cache per collision): nu .30, one disk a cell 2519 and 20, two 2456 and 28; nu .05,
-/// 4556 and 40 against 3996 and 42.
-inline double best_disks_per_cell(double area_fraction) { return area_fraction > 0.2 ? 1 : 2; }
-
-}  // namespace detail
-
 template <class Queue, class Physics>
 Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, double disks_per_cell)
     : scene_(scene),
       physics_(scene),
       channel_(scene.geometry == Geometry::channel),
-      foresees_(scene.particles >= 5000),
+      foresees_(scene.particles >= fits_near_memory),
       grid_(scene.length(), 1),
       length_(grid_.round(scene.length())),
       lower_(channel_ ? grid_.round(scene.diameter() / 2) : 0),
@@ -35,8 +26,7 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
       gravity_(scene.gravity),
       epoch_length_(epoch_length(scene)),
       contact_time_(scene.diameter(), detail::deepest_round_off(scene)),
-      cells_(scene, lower_, upper_, length_,
-             disks_per_cell > 0 ? disks_per_cell : detail::best_disks_per_cell(scene.area_fraction())),
+      cells_(scene, lower_, upper_, length_, disks_per_cell > 0 ? disks_per_cell : best_disks_per_cell),
       epoch_(state.epoch),
       frame_velocity_(state.frame_velocity),
       frame_offset_(state.frame_offset),
@@ -134,8 +124,8 @@ template <class Queue, class Physics>
 std::string Engine<Queue, Physics>::describe(Index i) const {
   const Plan& plan = plans_[static_cast<std::size_t>(i)];
   const Flight& f = disk(i).flight;
-  return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", disk(i).id, f.x, f.y,
-                     f.vx, f.vy, f.time, plan.place.column, plan.place.row);
+  return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", disk(i).id, f.x,
+                     f.y, f.vx, f.vy, f.time, plan.place.column, plan.place.row);
 }
 
 template <class Queue, class Physics>
@@ -147,10 +137,10 @@ void Engine<Queue, Physics>::fail_backwards(Index i) const {
 
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::fail_overlap(Index i) const {
-  throw PhysicsError(fmt::format("a disk overlaps another beyond round-off and approaches it, epoch {} ({})",
-                                 epoch_, describe(i)),
-                     "a contact was missed or the start state overlaps",
-                     "check the start state; if gpf made it, this is a bug: report it with the scene and this message");
+  throw PhysicsError(
+      fmt::format("a disk overlaps another beyond round-off and approaches it, epoch {} ({})", epoch_, describe(i)),
+      "a contact was missed or the start state overlaps",
+      "check the start state; if gpf made it, this is a bug: report it with the scene and this message");
 }
 
 }  // namespace gpf

@@ -41,8 +41,9 @@ class BasicHeapQueue {
   [[nodiscard]] double time(Index i) const { return time_[slot(i)]; }
 
   /// Foresees nothing: what comes after the earliest is not in order here.
-  template <class Far, class Near, class Next>
-  void foresee(Far&&, Near&&, Next&&) const {}
+  template <class Stage>
+  void foresee(Stage&&) const {}
+  void fetch_links(Index) const {}
 
  private:
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }

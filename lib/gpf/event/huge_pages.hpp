@@ -26,7 +26,8 @@ struct HugePages {
   }
 
   T* allocate(std::size_t count) {
-    const std::size_t bytes = count * sizeof(T);
+    std::size_t bytes = count * sizeof(T);
+    if (bytes >= page) bytes = (bytes + page - 1) / page * page;  // its end on a huge page too
     void* const memory = ::operator new(bytes, alignment(bytes));
 #ifdef MADV_HUGEPAGE
     if (bytes >= page) madvise(memory, bytes, MADV_HUGEPAGE);

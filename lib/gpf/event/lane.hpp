@@ -18,7 +18,7 @@ inline double positive_part(double a) { return a > 0 ? a : 0; }
 inline Lane positive_part(Lane a) { return a > 0 ? a : Lane{}; }
 
 inline double later(double a, double b) { return a > b ? a : b; }
-inline Lane later(double a, Lane b) { return a > b ? Lane{} + a : b; }
+inline Lane later(double a, Lane b) { return a > b ? Lane{a, a, a, a} : b; }
 
 inline double square_root(double a) { return std::sqrt(a); }
 inline Lane square_root(Lane a) {
@@ -44,8 +44,10 @@ unsigned bits(Mask mask) {
 /// Four flights side by side.
 inline FlightOf<Lane> abreast(const Flight& a, const Flight& b, const Flight& c, const Flight& d) {
   const Lane ra{a.x, a.y, a.vx, a.vy}, rb{b.x, b.y, b.vx, b.vy}, rc{c.x, c.y, c.vx, c.vy}, rd{d.x, d.y, d.vx, d.vy};
-  const Lane even_ab = __builtin_shufflevector(ra, rb, 0, 4, 2, 6), odd_ab = __builtin_shufflevector(ra, rb, 1, 5, 3, 7);
-  const Lane even_cd = __builtin_shufflevector(rc, rd, 0, 4, 2, 6), odd_cd = __builtin_shufflevector(rc, rd, 1, 5, 3, 7);
+  const Lane even_ab = __builtin_shufflevector(ra, rb, 0, 4, 2, 6),
+             odd_ab = __builtin_shufflevector(ra, rb, 1, 5, 3, 7);
+  const Lane even_cd = __builtin_shufflevector(rc, rd, 0, 4, 2, 6),
+             odd_cd = __builtin_shufflevector(rc, rd, 1, 5, 3, 7);
   return {__builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5), __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5),
           __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7), __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7),
           Lane{a.time, b.time, c.time, d.time}};

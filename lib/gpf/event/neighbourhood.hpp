@@ -47,8 +47,7 @@ class Neighbourhood {
   void gather(const CellLine& line, double shift_x, double shift_y) {
     std::memcpy(&numbers_[count_], &line, sizeof line);
     if constexpr (shifted)
-      for (unsigned k = 0; k < CellLine::room; ++k)
-        shift_x_[count_ + k] = shift_x, shift_y_[count_ + k] = shift_y;
+      for (unsigned k = 0; k < CellLine::room; ++k) shift_x_[count_ + k] = shift_x, shift_y_[count_ + k] = shift_y;
     count_ += line.count;
   }
 

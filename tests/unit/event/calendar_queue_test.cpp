@@ -35,23 +35,22 @@ BOOST_AUTO_TEST_CASE(lets_the_caller_order_equal_times) {
 BOOST_AUTO_TEST_CASE(is_empty_after_a_reset) { test::queue_is_empty_after_a_reset<CalendarQueue>(); }
 
 BOOST_AUTO_TEST_CASE(foresees_each_event_from_far_to_near_before_it_comes) {
-  // A thousand disks, an event each, evenly spread over as many days: after the first few days every one is named three
-  // times, in the order far, near, next, before it is the earliest.
+  // A thousand disks, an event each, evenly spread over as many days: after the first few days every one is named four
+  // times, stage by stage, before it is the earliest.
   constexpr Index count = 1000;
   CalendarQueue queue;
   queue.reset(count, 1, count);
   for (Index i = 0; i < count; ++i) queue.schedule(i, (i + 0.5) / count);
   std::vector<int> named(count, 0);
-  const auto name = [&](int stage) {
-    return [&named, stage](Index i) {
-      auto& known = named[static_cast<std::size_t>(i)];
-      if (known == stage) ++known;
-    };
+  const auto name = [&named](int stage, Index i) {
+    auto& known = named[static_cast<std::size_t>(i)];
+    if (known == stage) ++known;
   };
   for (Index i = 0; i < count; ++i) {
     BOOST_REQUIRE(test::earliest(queue) == i);
-    queue.foresee(name(0), name(1), name(2));
-    if (i > 50) BOOST_REQUIRE(named[static_cast<std::size_t>(i)] == 3);
+    queue.foresee(name);
+    queue.fetch_links(i);
+    if (i > 50) BOOST_REQUIRE(named[static_cast<std::size_t>(i)] == 4);
     queue.schedule(i, never);
   }
 }

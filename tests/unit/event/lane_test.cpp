@@ -15,7 +15,7 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 Lane filled(double even, double odd) {
   Lane lane{};
-  for (int k = 0; k < lane_width; ++k) lane[k] = k % 2 == 0 ? even : odd;
+  for (unsigned k = 0; k < lane_width; ++k) lane[k] = k % 2 == 0 ? even : odd;
   return lane;
 }
 
@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(positive_part_is_that_of_each_double) {
   for (const double a : samples)
     for (const double b : samples) {
       const Lane result = positive_part(filled(a, b));
-      for (int k = 0; k < lane_width; ++k) BOOST_TEST(same_bits(result[k], positive_part(k % 2 == 0 ? a : b)));
+      for (unsigned k = 0; k < lane_width; ++k) BOOST_TEST(same_bits(result[k], positive_part(k % 2 == 0 ? a : b)));
     }
   BOOST_TEST(positive_part(3.5) == 3.5);
   BOOST_TEST(positive_part(-3.5) == 0);
@@ -41,13 +41,38 @@ BOOST_AUTO_TEST_CASE(bits_has_a_bit_for_each_comparison_that_holds) {
   for (const double a : samples)
     for (const double b : samples) {
       unsigned expected = 0;
-      for (int k = 0; k < lane_width; ++k) expected |= ((k % 2 == 0 ? a : b) < 1 ? 1u : 0u) << k;
+      for (unsigned k = 0; k < lane_width; ++k) expected |= ((k % 2 == 0 ? a : b) < 1 ? 1u : 0u) << k;
       BOOST_TEST(bits(filled(a, b) < 1) == expected);
     }
-  for (int k = 0; k < lane_width; ++k) {
+  for (unsigned k = 0; k < lane_width; ++k) {
     Lane one{};
     one[k] = -1;
     BOOST_TEST(bits(one < 0) == 1u << k);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(later_and_square_root_are_those_of_each_double) {
+  for (const double a : samples)
+    for (const double b : samples)
+      for (const double c : samples) {
+        const Lane later_of = later(c, filled(a, b)), root = square_root(filled(a, b));
+        for (unsigned k = 0; k < lane_width; ++k) {
+          const double each = k % 2 == 0 ? a : b;
+          BOOST_TEST(same_bits(later_of[k], later(c, each)));
+          BOOST_TEST((same_bits(root[k], square_root(each)) || (std::isnan(root[k]) && std::isnan(square_root(each)))));
+        }
+      }
+  BOOST_TEST(later(1, 2) == 2);
+  BOOST_TEST(later(2, 1) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(abreast_puts_each_flight_in_its_place) {
+  const Flight one{1, 2, 3, 4, 5}, two{6, 7, 8, 9, 10}, three{11, 12, 13, 14, 15}, four{16, 17, 18, 19, 20};
+  const FlightOf<Lane> all = abreast(one, two, three, four);
+  unsigned k = 0;
+  for (const Flight& f : {one, two, three, four}) {
+    BOOST_TEST((all.x[k] == f.x && all.y[k] == f.y && all.vx[k] == f.vx && all.vy[k] == f.vy && all.time[k] == f.time));
+    ++k;
   }
 }
 

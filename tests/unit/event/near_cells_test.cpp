@@ -1,71 +1,82 @@
-// Neighbours of cells along an axis against their definition.
+// The cells around a cell against their definition.
 #include "gpf/event/near_cells.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <vector>
+#include <cmath>
+#include <map>
+#include <utility>
 
 using namespace gpf;
-using Which = NearCellsOfAxis::Which;
 
 namespace {
 
-struct Expected {
-  std::ptrdiff_t offset;
-  double shift;
-};
+constexpr double length = 1.3;
 
-void expect(const NearCells& found, const std::vector<Expected>& expected) {
-  BOOST_REQUIRE(found.count == expected.size());
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    BOOST_TEST(found.offset[k] == expected[k].offset);
-    BOOST_TEST(found.shift[k] == expected[k].shift);
+/// Steps in columns and rows to the cells of a block.
+bool in_block(int x, int y, Block block) {
+  switch (block) {
+    case Block::ahead_left:
+      return x == -1;
+    case Block::ahead_right:
+      return x == 1;
+    case Block::ahead_lower:
+      return y == -1;
+    case Block::ahead_upper:
+      return y == 1;
+    case Block::all:
+      return true;
   }
+  return false;
+}
+
+/// Every block of every cell of a grid: each cell of the 3 x 3 around it that belongs to the block exactly once, named
+/// by its offset, with the shift of the periods that were gone round. No cell beyond walls.
+void check(Index columns, Index rows, bool walls) {
+  const NearCellsOfGrid grid(columns, rows, length, walls ? 0 : 1);
+  for (Index row = 0; row < rows; ++row)
+    for (Index column = 0; column < columns; ++column)
+      for (const Block block :
+           {Block::ahead_left, Block::ahead_right, Block::ahead_lower, Block::ahead_upper, Block::all}) {
+        std::map<std::ptrdiff_t, std::pair<double, double>> expected;  // by offset
+        bool shifted = false;
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x) {
+            if (!in_block(x, y, block)) continue;
+            const int over_x = static_cast<int>(std::floor(1.0 * (column + x) / columns));
+            const int over_y = static_cast<int>(std::floor(1.0 * (row + y) / rows));
+            if (walls && over_y != 0) continue;
+            const std::ptrdiff_t offset = std::ptrdiff_t{columns} * (y - over_y * rows) + x - over_x * columns;
+            expected[offset] = {over_x * length, over_y};
+            shifted |= over_x != 0 || over_y != 0;
+          }
+        const NearCells& found = grid(column, row, block);
+        BOOST_REQUIRE(found.count == expected.size());
+        BOOST_REQUIRE(found.shifted == shifted);
+        for (std::size_t k = 0; k < found.count; ++k) {
+          const auto cell = expected.find(found.cells[k].offset);
+          BOOST_REQUIRE(cell != expected.end());
+          BOOST_REQUIRE(found.cells[k].shift_x == cell->second.first);
+          BOOST_REQUIRE(found.cells[k].shift_y == cell->second.second);
+          expected.erase(cell);
+        }
+      }
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(near_cells)
 
-BOOST_AUTO_TEST_CASE(inside_and_at_the_ends_of_an_axis_that_closes_on_itself) {
-  for (const std::ptrdiff_t stride : {1, 10}) {
-    const NearCellsOfAxis axis(5, stride, 1.3);
-    for (const Index inner : {1, 2, 3}) {
-      expect(axis(inner, Which::before), {{-stride, 0}});
-      expect(axis(inner, Which::after), {{stride, 0}});
-      expect(axis(inner, Which::both), {{-stride, 0}, {0, 0}, {stride, 0}});
-    }
-    expect(axis(0, Which::before), {{4 * stride, -1.3}});
-    expect(axis(0, Which::after), {{stride, 0}});
-    expect(axis(0, Which::both), {{4 * stride, -1.3}, {0, 0}, {stride, 0}});
-    expect(axis(4, Which::before), {{-stride, 0}});
-    expect(axis(4, Which::after), {{-4 * stride, 1.3}});
-    expect(axis(4, Which::both), {{-stride, 0}, {0, 0}, {-4 * stride, 1.3}});
-  }
+BOOST_AUTO_TEST_CASE(inside_and_at_the_edges_of_a_grid_that_closes_on_itself) {
+  check(5, 4, false);
+  check(3, 3, false);  // where all cells are near each other
+  check(3, 7, false);
 }
 
-BOOST_AUTO_TEST_CASE(an_axis_between_walls_ends) {
-  const NearCellsOfAxis axis(4, 7, 0);
-  expect(axis(0, Which::before), {});
-  expect(axis(0, Which::both), {{0, 0}, {7, 0}});
-  expect(axis(2, Which::both), {{-7, 0}, {0, 0}, {7, 0}});
-  expect(axis(3, Which::after), {});
-  expect(axis(3, Which::both), {{-7, 0}, {0, 0}});
-}
-
-BOOST_AUTO_TEST_CASE(one_and_two_cells_between_walls) {
-  const NearCellsOfAxis one(1, 7, 0), two(2, 7, 0);
-  expect(one(0, Which::both), {{0, 0}});
-  expect(one(0, Which::before), {});
-  expect(one(0, Which::after), {});
-  expect(two(0, Which::both), {{0, 0}, {7, 0}});
-  expect(two(1, Which::both), {{-7, 0}, {0, 0}});
-}
-
-BOOST_AUTO_TEST_CASE(three_cells_round_a_period_are_all_near_each_other) {
-  const NearCellsOfAxis axis(3, 1, 2);
-  expect(axis(0, Which::both), {{2, -2}, {0, 0}, {1, 0}});
-  expect(axis(1, Which::both), {{-1, 0}, {0, 0}, {1, 0}});
-  expect(axis(2, Which::both), {{-1, 0}, {0, 0}, {-2, 2}});
+BOOST_AUTO_TEST_CASE(between_walls_the_grid_ends) {
+  check(5, 4, true);
+  check(3, 3, true);
+  check(6, 2, true);
+  check(4, 1, true);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
