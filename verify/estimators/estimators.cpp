@@ -38,6 +38,8 @@ constexpr auto estimators =
                                                            {"plug_forms", estimate_plug_forms},
                                                            {"plug_density", estimate_plug_density},
                                                            {"shear_layer", estimate_shear_layer},
+                                                           {"structures", estimate_structures},
+                                                           {"structures_y", estimate_structures_y},
                                                            {"plug_tails", estimate_plug_tails},
                                                            {"dense_tails", estimate_dense_tails},
                                                            {"same_distributions", estimate_same_distributions},

@@ -30,7 +30,7 @@ struct Record {
   EventCounts counts;        ///< of the whole run, start-up included
 
   std::size_t blocks = 0;
-  std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run.bins)
+  std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run)
   NamedArrays arrays;        ///< what run.detail asks for; see Measurement::arrays()
   History history;
   State final_state;

@@ -38,6 +38,7 @@ duration = 7.5
 collisions_per_particle = 250
 sample_interval = 0.125
 bins = 12
+density_modes = 4
 )";
   const SceneFile file = parsed(text);
   const Scene& s = file.scene;
@@ -58,6 +59,7 @@ bins = 12
   BOOST_TEST(file.run.collisions_per_particle == 250);
   BOOST_TEST(file.run.sample_interval == 0.125);
   BOOST_TEST(file.run.bins == 12);
+  BOOST_TEST(file.run.density_modes == 4);
   BOOST_TEST(file.text == text);
   BOOST_TEST(file.name == "test.toml");
 }
