@@ -39,6 +39,7 @@ constexpr auto estimators =
                                                            {"plug_density", estimate_plug_density},
                                                            {"shear_layer", estimate_shear_layer},
                                                            {"structures", estimate_structures},
+                                                           {"structure_profiles", estimate_structure_profiles},
                                                            {"structures_y", estimate_structures_y},
                                                            {"plug_tails", estimate_plug_tails},
                                                            {"dense_tails", estimate_dense_tails},

@@ -1,5 +1,5 @@
-// vdf.structures, vdf.structures.uy: plug, wave and slug, their mean profiles, and how asymmetric their velocity
-// distributions are (thesis sec. 3.2, figs. 3.12-3.14).
+// vdf.structures, vdf.structures.profiles, vdf.structures.uy: plug, wave and slug, their mean profiles, and how
+// asymmetric their velocity distributions are (thesis figs. 3.12-3.14).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +23,7 @@ struct Channel {
 
   [[nodiscard]] double length() const { return scene.scene().length_over_width; }
   [[nodiscard]] std::string name() const { return fmt::format("L/W {:.3g}", length()); }
+  [[nodiscard]] std::string label() const { return fmt::format("{}, {}", name_of(stated), name()); }
 };
 
 /// By length. `plug` and `wave` are the L/W that the source gives for them; slugs are above `slug_above`.
@@ -55,7 +56,7 @@ void for_pairs(const std::vector<Channel>& channels, F&& f) {
 }
 
 void check_classes(const std::vector<Channel>& channels, Evidence& evidence) {
-  Series even{.label = "even, k = 1"}, odd{.label = "odd, k = 1"};
+  Series even{.label = "slug mode (even)"}, odd{.label = "wave mode (odd)"};
   for (const Channel& channel : channels) {
     const std::vector<DensityContrast> contrasts = density_contrasts(channel.scene);
     std::vector<std::optional<Structure>> labels;
@@ -84,10 +85,10 @@ void check_classes(const std::vector<Channel>& channels, Evidence& evidence) {
   const double from = channels.front().length(), to = channels.back().length(), margin = 0.05 * (to - from);
   evidence.plot = {.title = "Density modes along the channel",
                    .xlabel = "L/W",
-                   .ylabel = "⟨|a_k|²⟩ over that of independent disks",
+                   .ylabel = "⟨|a₁|²⟩ over that of independent disks",
                    .logy = true,
                    .xrange = {{from - margin, to + margin}}};
-  evidence.plot.series.push_back({.label = "neither plug nor structure",
+  evidence.plot.series.push_back({.label = "between the classes",
                                   .style = SeriesStyle::band,
                                   .x = {from - margin, to + margin},
                                   .lower = {visible_contrast / clear_factor, visible_contrast / clear_factor},
@@ -154,15 +155,12 @@ void check_asymmetry(const Claim& claim, const std::vector<Channel>& channels,
 
 }  // namespace
 
-// vdf.structures. The class of each channel (share of the replicas that have it; figs. 3.12); U, T and area fraction in
-// channels of different class differ by less than the tolerance, in units of the largest value of the profile (fig.
-// 3.13); the skewness of u_x, about either mean, is larger in size in every slug than in plug and wave, in `shear_bin`
-// and at the centre (fig. 3.14a).
+// vdf.structures. The class of each channel (share of the replicas that have it; fig. 3.12); the skewness of u_x, about
+// either mean, is larger in size in every slug than in plug and wave, in `shear_bin` and at the centre (fig. 3.14a).
 Evidence estimate_structures(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<Channel> channels = channels_of(claim, records);
   Evidence evidence;
   check_classes(channels, evidence);
-  check_profiles(channels, band_about(0, claim.tolerance_total()), evidence);
   check_asymmetry(claim, channels, {skewness_x, skewness_x_long_time}, evidence);
   evidence.notes.push_back(fmt::format(
       "a_k = (1/N) sum exp(2 pi i k x/L) phi(y/W), phi = 1 (even), sqrt2 sin 2 pi (y/W - 1/2) (odd), sqrt2 cos 2 pi "
@@ -172,6 +170,27 @@ Evidence estimate_structures(const Claim& claim, Tier, const SceneRecords& recor
       "part "
       "too).",
       visible_contrast / clear_factor, visible_contrast));
+  return evidence;
+}
+
+// vdf.structures.profiles. U, T and area fraction of channels of different class differ in no bin by more than the
+// tolerance, in units of the largest value of the profile (fig. 3.13).
+Evidence estimate_structure_profiles(const Claim& claim, Tier, const SceneRecords& records) {
+  const std::vector<Channel> channels = channels_of(claim, records);
+  Evidence evidence;
+  check_profiles(channels, band_about(0, claim.tolerance_total()), evidence);
+  evidence.plot = {.title = "Granular temperature in a plug, a wave and slugs",
+                   .xlabel = "y/W",
+                   .ylabel = "T/(gW)",
+                   .xrange = {{0, 1}}};
+  for (const Channel& channel : channels) {
+    if (!channel.stated) continue;
+    Series points{.label = channel.label()};
+    for (int bin = 0; bin < channel.scene.bins(); ++bin)
+      add_point(points, channel.scene.centre(bin),
+                channel.scene.mirrored("granular_temperature", std::min(bin, channel.scene.bins() - 1 - bin)));
+    evidence.plot.series.push_back(std::move(points));
+  }
   return evidence;
 }
 
@@ -186,9 +205,7 @@ Evidence estimate_structures_y(const Claim& claim, Tier, const SceneRecords& rec
                    .xrange = {{0, 1}},
                    .series = {{.style = SeriesStyle::line, .x = {0, 1}, .y = {0, 0}}}};
   for (const Channel& channel : channels)
-    if (channel.stated)
-      evidence.plot.series.push_back(
-          moment_profile(channel.scene, skewness_y, fmt::format("{}, {}", name_of(*channel.stated), channel.name())));
+    if (channel.stated) evidence.plot.series.push_back(moment_profile(channel.scene, skewness_y, channel.label()));
   return evidence;
 }
 

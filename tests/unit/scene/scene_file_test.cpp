@@ -197,6 +197,8 @@ BOOST_AUTO_TEST_CASE(a_periodic_scene_has_neither_walls_nor_gravity) {
                 {"wall_tangential_restitution is given in a periodic scene"});
   check_refused(with(periodic_text, "[run]", "gravity = 1\n[run]"), "7:1",
                 {"gravity = 1 in a periodic scene", "accelerate for ever", "remove gravity"});
+  check_refused(with(periodic_text, "[run]", "[run]\ndensity_modes = 2"), "8:1",
+                {"density_modes = 2 in a periodic scene", "across a channel", "remove density_modes"});
   BOOST_TEST(parsed(with(periodic_text, "[run]", "gravity = 0\n[run]")).scene.gravity == 0);
 }
 

@@ -14,10 +14,11 @@ namespace {
 /// P(X >= hits) for X ~ Bin(trials, p).
 double upper_tail(std::size_t hits, std::size_t trials, double p) {
   double sum = 0;
-  for (std::size_t k = hits; k <= trials; ++k)
-    sum +=
-        std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) - std::lgamma(static_cast<double>(trials - k) + 1) +
-                 static_cast<double>(k) * std::log(p) + static_cast<double>(trials - k) * std::log1p(-p));
+  for (std::size_t k = hits; k <= trials; ++k) {
+    const auto n = static_cast<double>(trials), m = static_cast<double>(k);
+    sum += std::exp(std::lgamma(n + 1) - std::lgamma(m + 1) - std::lgamma(n - m + 1) + m * std::log(p) +
+                    (n - m) * std::log1p(-p));
+  }
   return sum;
 }
 

@@ -66,6 +66,20 @@ BOOST_AUTO_TEST_CASE(what_was_saved_is_found_by_what_was_run) {
   BOOST_TEST(!store.load(longer));
 }
 
+BOOST_AUTO_TEST_CASE(density_modes_are_another_record_and_leave_the_others_alone) {
+  SceneFile waves = replica;
+  waves.run.density_modes = 3;
+  BOOST_TEST(canonical_text(replica.scene, replica.run).find("density_modes") == std::string::npos);
+  BOOST_TEST(store.path(waves) != store.path(replica));
+  store.save(replica, test::fake_record(replica));
+  store.save(waves, test::fake_record(waves));
+  const auto with = store.load(waves), without = store.load(replica);
+  BOOST_REQUIRE(with.has_value());
+  BOOST_REQUIRE(without.has_value());
+  BOOST_TEST(with->run.density_modes == 3);
+  BOOST_TEST(with->sums.size() == with->blocks * (TallyLayout(without->run).size() + 3 * 3 + 3));
+}
+
 BOOST_AUTO_TEST_CASE(a_truncated_record_is_reported_and_not_used) {
   store.save(replica, test::fake_record(replica));
   const auto size = std::filesystem::file_size(store.path(replica));
