@@ -24,4 +24,9 @@ Interval proportion_interval(Share share, double alpha);
 /// @throws InputError without trials or with more hits than trials.
 double outside_band_p_value(Share share, Interval band);
 
+/// p-value of "the true proportion lies on an edge of the band or beyond": the larger binomial tail at an edge within
+/// (0, 1). At most alpha exactly when the band contains proportion_interval(share, alpha).
+/// @throws InputError without trials or with more hits than trials.
+double inside_band_p_value(Share share, Interval band);
+
 }  // namespace gpf

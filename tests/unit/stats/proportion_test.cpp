@@ -47,6 +47,10 @@ BOOST_AUTO_TEST_CASE(the_p_value_belongs_to_the_interval) {
     for (const double alpha : {0.0025, 0.01, 0.05, 0.2})
       BOOST_TEST((outside_band_p_value({hits, 16}, band) < alpha) ==
                  proportion_interval({hits, 16}, alpha).disjoint(band));
+  for (const Interval wide : {Interval{0.1, 0.9}, Interval{0.5, 1}, Interval{0, 0.4}})
+    for (std::size_t hits = 0; hits <= 32; ++hits)
+      BOOST_TEST((inside_band_p_value({hits, 32}, wide) <= 0.025) ==
+                 wide.contains(proportion_interval({hits, 32}, 0.025)));
   BOOST_TEST(outside_band_p_value({9, 16}, band) == 1);
   BOOST_TEST(outside_band_p_value({0, 8}, {0.5, 1}) == 1.0 / 256, tt::tolerance(1e-12));
 }

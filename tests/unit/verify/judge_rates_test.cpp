@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(many_checks_do_not_add_up_to_failures) {
 }
 
 /// As measure(), for one share whose true value is `truth`: labels are independent.
-Rates measure_share(double truth, int cap, int experiments = 20000) {
+Rates measure_share(double truth, int cap, int experiments = 2000) {
   std::mt19937_64 generator(20240301);
   std::bernoulli_distribution labelled(truth);
   const std::vector<int> looks = looks_up_to(cap);
@@ -141,16 +141,17 @@ Rates measure_share(double truth, int cap, int experiments = 20000) {
 BOOST_AUTO_TEST_CASE(a_class_that_is_a_matter_of_chance_is_rarely_called_one) {
   for (const int cap : {8, 16, 32}) {
     const Rates rates = measure_share(0.5, cap);
-    BOOST_TEST(rates.pass < 0.05 + scatter(0.05));
-    BOOST_TEST(rates.fail < 0.01 + scatter(0.01));
+    constexpr double fewer = 3.1623;  // root of ten: a tenth of the experiments
+    BOOST_TEST(rates.pass < 0.05 + fewer * scatter(0.05));
+    BOOST_TEST(rates.fail < 0.01 + fewer * scatter(0.01));
   }
-  BOOST_TEST(measure_share(0.3, 32).pass < 0.001);
+  BOOST_TEST(measure_share(0.3, 32).pass < 0.002);
 }
 
 BOOST_AUTO_TEST_CASE(a_class_is_found_where_there_is_one) {
-  BOOST_TEST(measure_share(1, 8).pass == 1.0);
+  BOOST_TEST(measure_share(1, 8).pass > 0.9999);
   BOOST_TEST(measure_share(0.95, 32).pass > 0.99);
-  BOOST_TEST(measure_share(0, 8).fail == 1.0);
+  BOOST_TEST(measure_share(0, 8).fail > 0.9999);
   BOOST_TEST(measure_share(0.05, 32).fail > 0.99);
   BOOST_TEST(measure_share(1, 4).pass == 0.0);  // 4 of 4: 95 % lower bound .47
 }
