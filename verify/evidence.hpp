@@ -22,7 +22,13 @@ struct Check {
   bool exact = false;    ///< an identity: every value must lie in the band, no statistics
   double x = 0;          ///< abscissa (bin centre, nu, ...) where the checks form a profile
   double reference = 0;  ///< centre of the band where it has one, else NaN
+  /// Values are 1 for a replica that has the label which a class claim states, else 0; the band is one of the
+  /// proportion of all replicas that have it (majority for "it is of that class").
+  bool share = false;
 };
+
+/// Band of a share: a class is what more than half of all replicas are.
+inline constexpr Interval majority{0.5, 1};
 
 /// A precondition of trust, judged apart from the claim: when one fails the claim is inconclusive.
 struct HealthCheck {

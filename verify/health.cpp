@@ -127,7 +127,7 @@ HealthCheck check_overlaps(const SceneRecords& records) {
 
 /// |work - losses - gain| over the sum of their sizes and the mean kinetic energy.
 double imbalance(const Record& record) {
-  const TallyLayout layout(record.run.bins);
+  const TallyLayout layout(record.run);
   const auto total = [&](Tally tally) {
     double sum = 0;
     for (std::size_t b = 0; b < record.blocks; ++b)

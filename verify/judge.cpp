@@ -9,6 +9,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/stats/hypothesis.hpp"
+#include "gpf/stats/proportion.hpp"
 #include "verify/verdict_summary.hpp"
 
 namespace gpf {
@@ -54,8 +55,28 @@ double replicas_to_decide(const ReplicaSummary& seen, Interval band, double alph
   return enough;
 }
 
+Share share_of(const Check& check) {
+  return {static_cast<std::size_t>(std::count(check.values.begin(), check.values.end(), 1.0)), check.values.size()};
+}
+
+/// About the number of replicas at which a share like this one would be decided; infinite on an edge and near it.
+double replicas_to_decide(const Share& seen, Interval band, double pass_alpha, double fail_alpha) {
+  constexpr std::size_t most = 1000;
+  for (std::size_t trials = seen.trials + 1; trials <= most; trials += 1 + trials / 8) {
+    const Share more{static_cast<std::size_t>(std::lround(seen.value() * static_cast<double>(trials))), trials};
+    if (outside_band_p_value(more, band) <= fail_alpha || inside_band_p_value(more, band) <= pass_alpha)
+      return static_cast<double>(trials);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double outside_p_value(const JudgedCheck& c) {
+  return c.check.share ? outside_band_p_value(share_of(c.check), c.check.band)
+                       : outside_band_p_value(c.summary, c.check.band);
+}
+
 /// Everything but failure, which needs all checks together.
-JudgedCheck first_judgement(const Check& check, double alpha) {
+JudgedCheck first_judgement(const Check& check, double alpha, double share_alpha) {
   JudgedCheck judged{check, summarise(check.values), {}, Outcome::inconclusive, 0};
   if (check.exact) {
     judged.interval = range_of(check.values);
@@ -66,18 +87,18 @@ JudgedCheck first_judgement(const Check& check, double alpha) {
     judged.interval = range_of({});
     return judged;
   }
-  judged.interval = t_interval(judged.summary, alpha);
+  judged.interval = check.share ? proportion_interval(share_of(check), share_alpha) : t_interval(judged.summary, alpha);
   if (check.values.size() > 1 && check.band.contains(judged.interval)) judged.outcome = Outcome::pass;
   return judged;
 }
 
-void find_failures(std::vector<JudgedCheck>& checks, double alpha) {
+void find_failures(std::vector<JudgedCheck>& checks, double alpha, double share_alpha) {
   std::vector<JudgedCheck*> tested;
   std::vector<double> p_values;
   for (JudgedCheck& c : checks)
     if (!c.check.exact && c.check.values.size() > 1 && all_finite(c.check.values)) {
       tested.push_back(&c);
-      p_values.push_back(outside_band_p_value(c.summary, c.check.band));
+      p_values.push_back(outside_p_value(c));
     }
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t k = 0; k < tested.size(); ++k)
@@ -85,9 +106,13 @@ void find_failures(std::vector<JudgedCheck>& checks, double alpha) {
   for (JudgedCheck& c : checks)
     if (c.outcome == Outcome::inconclusive && !c.check.exact) {
       // Outside of its band a check needs Holm's most demanding level.
+      const double strict = alpha / static_cast<double>(std::max<std::size_t>(tested.size(), 1));
+      if (c.check.share && all_finite(c.check.values)) {
+        c.replicas_needed = replicas_to_decide(share_of(c.check), c.check.band, share_alpha, strict);
+        continue;
+      }
       const bool inside = c.check.band.contains(c.summary.mean);
-      const double level = inside ? alpha : alpha / static_cast<double>(std::max<std::size_t>(tested.size(), 1));
-      c.replicas_needed = replicas_to_decide(c.summary, c.check.band, level);
+      c.replicas_needed = replicas_to_decide(c.summary, c.check.band, inside ? alpha : strict);
     }
 }
 
@@ -122,8 +147,10 @@ Verdict judge(const Claim& claim, Tier tier, const Evidence& evidence, int repli
   verdict.look = look;
   verdict.alpha = alpha_per_direction / looks;
   verdict.claim_hash = claim.text_hash;
-  for (const Check& check : evidence.checks) verdict.checks.push_back(first_judgement(check, verdict.alpha));
-  find_failures(verdict.checks, verdict.alpha);
+  const double share_alpha = share_alpha_per_direction / looks;
+  for (const Check& check : evidence.checks)
+    verdict.checks.push_back(first_judgement(check, verdict.alpha, share_alpha));
+  find_failures(verdict.checks, verdict.alpha, share_alpha);
   verdict.health = evidence.health;
   verdict.outcome = outcome_of(verdict.checks, verdict.health);
   verdict.green = agrees(verdict.outcome, verdict.expected);

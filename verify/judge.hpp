@@ -18,7 +18,9 @@ enum class Outcome { pass, fail, inconclusive };
 struct JudgedCheck {
   Check check;
   ReplicaSummary summary;
-  Interval interval;  ///< t-interval of the mean at this look's alpha; for an exact check the range of the values
+  /// t-interval of the mean at this look's alpha; for a share its interval at this look's share_alpha; for an exact
+  /// check the range of the values.
+  Interval interval;
   Outcome outcome = Outcome::inconclusive;
   double replicas_needed = 0;  ///< estimate of the R that would decide an inconclusive check; 0 when decided
 };
@@ -48,6 +50,10 @@ struct Verdict {
 /// several times keeps the rates.
 inline constexpr double alpha_per_direction = 0.01;
 
+/// As alpha_per_direction, for the lower bound of a share: the stated class is the label of a proportion of all
+/// replicas whose 95 % lower bound exceeds one half. 4 of 4 do not show that, whatever the number of looks; 8 of 8 do.
+inline constexpr double share_alpha_per_direction = 0.05;
+
 /// The numbers of replicas at which a claim with this cap is looked at: those of 4, 8, 16, 32 up to it; {1} for a cap
 /// below 4.
 std::vector<int> looks_up_to(int most_replicas);
@@ -59,12 +65,16 @@ std::vector<int> looks_up_to(int most_replicas);
 /// for a claim of one check that is when interval and band are disjoint. An exact check passes when every value lies in
 /// the band and fails otherwise. Without values, or with one that is not finite, a check is inconclusive.
 ///
+/// A share is judged by Clopper and Pearson's interval instead: it passes when that at share_alpha_per_direction/looks
+/// lies inside the band, and fails as the others do, at alpha_k with Holm's correction, by the binomial tail.
+///
 /// The claim passes when all checks pass - an intersection of tests, which needs no correction - and fails when one
 /// fails. A failed health check, or no check at all, makes it inconclusive whatever the checks say.
 ///
 /// Rates, over all looks together: a claim of which some check's true value lies on or outside a band's edge passes
-/// with probability at most alpha; a claim whose true values all lie in their bands fails with probability at most
-/// alpha for each edge. Everything else is `inconclusive`, with the R that would decide.
+/// with probability at most alpha (share_alpha_per_direction, if it is a share); a claim whose true values all lie in
+/// their bands fails with probability at most alpha for each edge. Everything else is `inconclusive`, with the R that
+/// would decide.
 Verdict judge(const Claim& claim, Tier tier, const Evidence& evidence, int replicas, int look, int looks);
 
 /// Green: reproduced and pass, refuted and fail, unresolved and inconclusive.

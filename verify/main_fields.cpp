@@ -43,7 +43,7 @@ bool has_steady_state(const Scene& scene) {
 
 std::vector<BlockedField> main_fields(const Record& record) {
   if (!has_steady_state(record.scene)) return {};
-  const TallyLayout layout(record.run.bins);
+  const TallyLayout layout(record.run);
   const auto field = [&](std::string name, const std::function<double(const Row&)>& of_block) {
     BlockedField result{std::move(name), {}};
     for (std::size_t b = 0; b < record.blocks; ++b)

@@ -53,7 +53,7 @@ std::string run_json(const Record& record) {
   for (const auto& [name, measured] : quantities) {
     if (is_budget(name))
       budget[name] = scalar(measured.values.front());
-    else if (!measured.per_bin)
+    else if (!measured.several)
       json[name] = scalar(measured.values.front());
     else
       json[name] = profile(measured);

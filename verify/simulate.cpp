@@ -31,7 +31,7 @@ double thread_cpu_seconds() {
 class Simulation {
  public:
   Simulation(const SceneFile& file, const SimulationOptions& options)
-      : file_(file), options_(options), measurement_(file.scene, file.run.bins, file.run.detail), engine_(begin()) {}
+      : file_(file), options_(options), measurement_(file.scene, file.run), engine_(begin()) {}
 
   std::optional<Record> run() {
     while (!finished()) {

@@ -95,23 +95,25 @@ Plot plot_from(const Json& json) {
 }
 
 Json check_json(const JudgedCheck& c) {
-  return {{"label", c.check.label},
-          {"outcome", name_of(c.outcome)},
-          {"mean", number(c.summary.mean)},
-          {"deviation", number(c.summary.deviation)},
-          {"interval", interval_json(c.interval)},
-          {"band", interval_json(c.check.band)},
-          {"reference", number(c.check.reference)},
-          {"x", number(c.check.x)},
-          {"exact", c.check.exact},
-          {"replicas_needed", number(c.replicas_needed)},
-          {"values", numbers(c.check.values)}};
+  Json json{{"label", c.check.label},
+            {"outcome", name_of(c.outcome)},
+            {"mean", number(c.summary.mean)},
+            {"deviation", number(c.summary.deviation)},
+            {"interval", interval_json(c.interval)},
+            {"band", interval_json(c.check.band)},
+            {"reference", number(c.check.reference)},
+            {"x", number(c.check.x)},
+            {"exact", c.check.exact},
+            {"replicas_needed", number(c.replicas_needed)},
+            {"values", numbers(c.check.values)}};
+  if (c.check.share) json["share"] = true;
+  return json;
 }
 
 JudgedCheck check_from(const Json& json) {
   JudgedCheck c;
-  c.check = {json.at("label"), numbers(json.at("values")), interval_from(json.at("band")),
-             json.at("exact"), number(json.at("x")),       number(json.at("reference"))};
+  c.check = {json.at("label"),     numbers(json.at("values")),   interval_from(json.at("band")), json.at("exact"),
+             number(json.at("x")), number(json.at("reference")), json.value("share", false)};
   c.summary = {number(json.at("mean")), number(json.at("deviation")), c.check.values.size()};
   c.interval = interval_from(json.at("interval"));
   c.outcome = outcome_named(json.at("outcome").get<std::string>());

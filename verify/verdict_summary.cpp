@@ -40,6 +40,10 @@ std::string check_text(const JudgedCheck& c) {
     return fmt::format("{}: {}, wanted {}", c.check.label, range, edge_text(c.check.band));
   }
   if (!std::isfinite(c.summary.mean)) return fmt::format("{}: not measured in every replica", c.check.label);
+  if (c.check.share)
+    return fmt::format("{}: {:.0f} of {} replicas, share [{:.2f}, {:.2f}], wanted {}", c.check.label,
+                       c.summary.mean * static_cast<double>(c.check.values.size()), c.check.values.size(),
+                       c.interval.lo, c.interval.hi, edge_text(c.check.band));
   if (!std::isfinite(c.interval.width()))
     return fmt::format("{}: {:.6g}, one replica gives no error", c.check.label, c.summary.mean);
   const double half = c.interval.width() / 2;

@@ -33,6 +33,7 @@ seed = 5
 start_up = 10
 duration = 30
 detail = "correlations"
+density_modes = 3
 EOT
 arrays() { h5dump -g /arrays "$1" | tail -n +2; }
 
@@ -42,7 +43,7 @@ cp out.txt whole.json
 [ ! -s err.txt ] || fail "something was written to a pipe besides the JSON"
 for key in collisions collisions_per_second wall_seconds time trace_hash y mean_velocity area_fraction \
   granular_temperature pressure_xx pressure_yy pressure_xy kurtosis_x kurtosis_y mean_flow slip_velocity knudsen_number \
-  energy_budget; do
+  density_power_even energy_budget; do
   grep -q "\"$key\":" whole.json || fail "--json lacks $key"
 done
 ok "--json has every key"
@@ -67,7 +68,7 @@ for signal in TERM INT USR1; do
 done
 expect 0 "a run stopped by signals goes on to its end" "$gpf" run scene.toml -o stopped.h5 --resume --json
 [ "$(field trace_hash out.txt)" = "$hash" ] || fail "another hash after signals"
-for key in mean_velocity pressure_xy energy_budget; do
+for key in mean_velocity pressure_xy density_power_odd energy_budget; do
   a=$(sed "s/.*\"$key\"://;s/}.*//" whole.json) b=$(sed "s/.*\"$key\"://;s/}.*//" out.txt)
   [ "$a" = "$b" ] || fail "another $key after signals"
 done

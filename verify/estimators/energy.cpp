@@ -50,7 +50,7 @@ double fall_error(const Record& r) {
 
 /// Kinetic energy gained over the measured window less the work of gravity, over that work.
 double work_error(const Record& r) {
-  const TallyLayout layout(r.run.bins);
+  const TallyLayout layout(r.run);
   const std::vector<double> totals = totals_of(r);
   const double work = totals[layout.at(Tally::gravity_work)];
   return (totals[layout.at(Tally::energy_change)] - work) / work;

@@ -31,6 +31,9 @@ Evidence estimate_skewness_density(const Claim& claim, Tier tier, const SceneRec
 Evidence estimate_plug_forms(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_plug_density(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_shear_layer(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_structures(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_structure_profiles(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_structures_y(const Claim& claim, Tier tier, const SceneRecords& records);
 
 // Chapter 3: order and correlations.
 Evidence estimate_liquid_order(const Claim& claim, Tier tier, const SceneRecords& records);

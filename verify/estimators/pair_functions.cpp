@@ -37,7 +37,7 @@ PairFunctions::PairFunctions(const Record& record, const std::vector<int>& bins)
       uy_(cells),
       uxy_(cells),
       v_(cells) {
-  const TallyLayout layout(record.run.bins);
+  const TallyLayout layout(record.run);
   const std::vector<double> totals = totals_of(record);
   const auto array = [&](const char* name) -> const NamedArray& { return array_named(record.arrays, name); };
   double paired = 0, pairs = 0;

@@ -13,7 +13,7 @@
 namespace gpf {
 
 std::vector<double> totals_of(const Record& record) {
-  const TallyLayout layout(record.run.bins);
+  const TallyLayout layout(record.run);
   std::vector<double> totals(layout.size(), 0.0);
   for (std::size_t b = 0; b < record.blocks; ++b)
     for (std::size_t k = 0; k < totals.size(); ++k) totals[k] += record.sums[b * totals.size() + k];
@@ -30,7 +30,7 @@ SceneValues::SceneValues(std::string name, const std::vector<Record>& records)
       throw InputError(fmt::format("the records of {} are of different scenes", name_),
                        "their bins or particle numbers differ", "pass replicas of one scene");
     auto& quantities = quantities_.emplace_back();
-    for (Quantity& q : derive_quantities(record.scene, TallyLayout(bins()), totals_of(record)))
+    for (Quantity& q : derive_quantities(record.scene, TallyLayout(record.run), totals_of(record)))
       quantities.emplace(std::move(q.name), std::move(q.values));
   }
 }

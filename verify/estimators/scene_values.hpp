@@ -13,7 +13,7 @@
 
 namespace gpf {
 
-/// Sums of all tallies over the measured window, in the order of TallyLayout(record.run.bins).
+/// Sums of all tallies over the measured window, in the order of TallyLayout(record.run).
 std::vector<double> totals_of(const Record& record);
 
 /// Whether a quantity keeps or changes its sign when the channel is seen in a mirror at its centre plane.

@@ -13,7 +13,7 @@ void write_arrays(Hdf5Writer& file, const NamedArrays& arrays) {
 }
 
 NamedArrays read_arrays(const Hdf5Reader& file, const Scene& scene, const Run& run) {
-  NamedArrays arrays = Measurement(scene, run.bins, run.detail).arrays();
+  NamedArrays arrays = Measurement(scene, run).arrays();
   for (NamedArray& array : arrays) {
     auto read = file.doubles("/arrays/" + array.name);
     if (!std::equal(read.dims.begin(), read.dims.end(), array.shape.begin(), array.shape.end()))

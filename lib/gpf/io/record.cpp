@@ -46,6 +46,7 @@ std::string canonical_text(const Scene& scene, const Run& run) {
     text += fmt::format("collisions_per_particle = {}\n", run.collisions_per_particle);
   text += fmt::format("sample_interval = {}\nbins = {}\n", run.sample_interval, run.bins);
   if (run.detail != Detail::profiles) text += fmt::format("detail = \"{}\"\n", name_of(run.detail));
+  if (run.density_modes > 0) text += fmt::format("density_modes = {}\n", run.density_modes);
   return text;
 }
 
@@ -69,7 +70,7 @@ void write_record(const Record& r, const std::filesystem::path& path) {
   file.write_text("/scene/text", r.scene_text);
   file.write_text("/scene/canonical", canonical_text(r.scene, r.run));
 
-  const TallyLayout layout(r.run.bins);
+  const TallyLayout layout(r.run);
   std::string names;
   for (const std::string& label : layout.labels()) names += label + "\n";
   file.write_text("/tallies/names", names);
@@ -112,7 +113,7 @@ Record read_record(const std::filesystem::path& path) {
               file.attribute_uint64("/", "crossings"), file.attribute_uint64("/", "stale")};
 
   auto sums = file.doubles("/tallies/sums");
-  if (sums.dims.size() != 2 || sums.dims[1] != TallyLayout(r.run.bins).size())
+  if (sums.dims.size() != 2 || sums.dims[1] != TallyLayout(r.run).size())
     throw unusable(path, "its sums are not those that this version of gpf collects");
   r.blocks = sums.dims[0];
   r.sums = std::move(sums.values);
@@ -135,7 +136,7 @@ Record read_record(const std::filesystem::path& path) {
 }
 
 MeasuredQuantities quantities_of(const Record& record) {
-  return measure_quantities(record.scene, TallyLayout(record.run.bins), record.sums, record.blocks);
+  return measure_quantities(record.scene, TallyLayout(record.run), record.sums, record.blocks);
 }
 
 }  // namespace gpf

@@ -15,8 +15,8 @@
 
 namespace gpf {
 
-/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /arrays, /final (state),
-/// /provenance (JSON), attributes of "/" for the rest, and /session for what differs between equal runs.
+/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /arrays, /final
+/// (state), /provenance (JSON), attributes of "/" for the rest, and /session for what differs between equal runs.
 struct Record {
   std::string scene_text;  ///< the scene file as read
   Scene scene;
@@ -24,19 +24,19 @@ struct Record {
 
   int physics_version = 0;
   std::uint64_t trace_hash = 0;
-  double time = 0;           ///< end of the run
+  double time = 0;  ///< end of the run
   double epoch_length = 0;
   double deepest_overlap = 0;  ///< a length
-  EventCounts counts;        ///< of the whole run, start-up included
+  EventCounts counts;          ///< of the whole run, start-up included
 
   std::size_t blocks = 0;
-  std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run.bins)
+  std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run)
   NamedArrays arrays;        ///< what run.detail asks for; see Measurement::arrays()
   History history;
   State final_state;
 
-  std::string build;         ///< JSON of BuildProvenance
-  std::string session;       ///< JSON of SessionProvenance, with "wall_seconds" and "cpu_seconds"
+  std::string build;    ///< JSON of BuildProvenance
+  std::string session;  ///< JSON of SessionProvenance, with "wall_seconds" and "cpu_seconds"
   double wall_seconds = 0, cpu_seconds = 0;
 };
 

@@ -1,19 +1,22 @@
 #include "gpf/measure/measurement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gpf/base/error.hpp"
+#include "gpf/measure/density_modes.hpp"
 
 namespace gpf {
 
-Measurement::Measurement(const Scene& scene, int bins, Detail detail)
+Measurement::Measurement(const Scene& scene, int bins, Detail detail, int density_modes)
     : channel_(scene.geometry == Geometry::channel),
       disks_(scene.particles),
       gravity_(scene.gravity),
       radius_(scene.diameter() / 2),
+      length_(scene.length()),
       bins_(bins),
-      layout_(bins),
+      layout_(bins, density_modes),
       series_(layout_.size()),
       open_(layout_.size(), 0.0),
       travels_(static_cast<std::size_t>(scene.particles)) {
@@ -154,6 +157,17 @@ void Measurement::add_fields(const State& state) {
   if (correlations_) correlations_->sample(state, ux);
 }
 
+void Measurement::add_density_modes(const State& state) {
+  if (layout_.density_modes() == 0) return;
+  const DensityModes modes = density_modes(state, length_, layout_.density_modes());
+  constexpr std::array power{Tally::mode_even, Tally::mode_odd, Tally::mode_varicose};
+  constexpr std::array noise{Tally::mode_noise_even, Tally::mode_noise_odd, Tally::mode_noise_varicose};
+  for (std::size_t s = 0; s < mode_shapes.size(); ++s) {
+    for (int k = 0; k < layout_.density_modes(); ++k) sum(power[s], k) += modes.power[s][static_cast<std::size_t>(k)];
+    sum(noise[s]) += modes.noise[s];
+  }
+}
+
 void Measurement::sample(double time, const State& state) {
   gravity_until(time);
   const double energy = total_energy(state);
@@ -164,6 +178,7 @@ void Measurement::sample(double time, const State& state) {
   sum(Tally::momentum) += momentum_;
   sum(Tally::energy_change) += energy - energy_;
   add_fields(state);
+  add_density_modes(state);
   last_time_ = time;
   energy_ = energy;
   series_.add(open_);

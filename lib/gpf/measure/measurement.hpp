@@ -18,7 +18,8 @@ namespace gpf {
 /// An observer of contacts that is also shown the state at the end of every sample interval.
 class Measurement {
  public:
-  Measurement(const Scene& scene, int bins, Detail detail = Detail::profiles);
+  Measurement(const Scene& scene, int bins, Detail detail = Detail::profiles, int density_modes = 0);
+  Measurement(const Scene& scene, const Run& run) : Measurement(scene, run.bins, run.detail, run.density_modes) {}
 
   /// Measurement starts here; contacts seen before are forgotten.
   void begin(double time, const State& state);
@@ -58,10 +59,11 @@ class Measurement {
   void travel(std::int32_t disk, double time, Vec2 velocity_after, const PairContact* pair);
   void gravity_until(double time);
   void add_fields(const State& state);
+  void add_density_modes(const State& state);
   void add_stress(Vec2 impulse, Vec2 r, double from, double to);
 
   bool channel_;
-  double disks_, gravity_, radius_;
+  double disks_, gravity_, radius_, length_;
   Bins bins_;
   TallyLayout layout_;
   BlockSeries series_;

@@ -33,6 +33,7 @@ class Derivation {
   std::vector<Quantity> all() {
     profiles();
     collisions();
+    if (layout_.density_modes() > 0) density_modes();
     if (scene_.geometry == Geometry::periodic)
       equation_of_state();
     else
@@ -113,6 +114,21 @@ class Derivation {
       const double speeds = ratio(total(speed), total(samples));
       put("knudsen_number_any_contact", ratio(speeds * total(measured_time), flights));
     }
+  }
+
+  void density_modes() {
+    using enum Tally;
+    const auto shape = [this](const std::string& name, Tally power, Tally noise) {
+      const double floor = ratio(total(noise), total(samples));
+      Quantity q{"density_power_" + name, true, {}};
+      for (int k = 0; k < layout_.density_modes(); ++k)
+        q.values.push_back(ratio(total(power, k), total(samples)) - floor);
+      quantities_.push_back(std::move(q));
+      put("density_noise_" + name, floor);
+    };
+    shape("even", mode_even, mode_noise_even);
+    shape("odd", mode_odd, mode_noise_odd);
+    shape("varicose", mode_varicose, mode_noise_varicose);
   }
 
   /// p A = KE + (1/2) sum of r.J per time; with zero total momentum T = KE/(N - 1) and p A/(N T) = Z_N - 1/N.
@@ -205,7 +221,7 @@ MeasuredQuantities measure_quantities(const Scene& scene, const TallyLayout& lay
   std::size_t at = 0;
   for (const Quantity& q : derive_quantities(scene, layout, sums.subspan(0, layout.size()))) {
     Measured& m = measured[q.name];
-    m.per_bin = q.per_bin;
+    m.several = q.several;
     for (std::size_t k = 0; k < q.values.size(); ++k) m.values.push_back(estimates[at++]);
   }
   return measured;

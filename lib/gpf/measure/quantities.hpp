@@ -13,10 +13,10 @@
 
 namespace gpf {
 
-/// A measured quantity: one value, or one per bin.
+/// A measured quantity: one value, or several: one per bin, or one per wavenumber.
 struct Quantity {
   std::string name;
-  bool per_bin = false;
+  bool several = false;
   std::vector<double> values;
 };
 
@@ -41,11 +41,14 @@ struct Quantity {
 /// wall_pressure_lower, _upper, wall_shear_lower, _upper (force per length on the wall), and the energy budget as
 /// rates: gravity_power, pair_loss, wall_loss_lower, _upper, energy_change, energy_residual = gravity_power - losses -
 /// energy_change.
+/// Where density modes are measured, one value per wavenumber k = 1, 2, ...: density_power_even, _odd, _varicose, the
+/// mean of |a_k|^2 (density_modes.hpp) less what independent disks of these heights have. So 0 for an ideal gas, and
+/// down to -1/N for disks that exclude one another. One value: density_noise_even, _odd, _varicose, what was taken off.
 std::vector<Quantity> derive_quantities(const Scene& scene, const TallyLayout& layout, std::span<const double> totals);
 
 /// A quantity with its errors.
 struct Measured {
-  bool per_bin = false;
+  bool several = false;
   std::vector<Estimate> values;
 };
 using MeasuredQuantities = std::map<std::string, Measured, std::less<>>;

@@ -8,7 +8,7 @@ namespace gpf {
 
 namespace {
 
-enum class Extent { one, walls, bins };
+enum class Extent { one, walls, bins, modes, one_with_modes };
 struct Entry {
   std::string_view name;
   Extent extent;
@@ -52,15 +52,35 @@ constexpr std::array<Entry, static_cast<std::size_t>(Tally::size_)> entries{{
     {"stress_xx", Extent::bins},
     {"stress_xy", Extent::bins},
     {"stress_yy", Extent::bins},
+    {"mode_even", modes},
+    {"mode_odd", modes},
+    {"mode_varicose", modes},
+    {"mode_noise_even", one_with_modes},
+    {"mode_noise_odd", one_with_modes},
+    {"mode_noise_varicose", one_with_modes},
 }};
+
+int count_of(Extent extent, int bins, int density_modes) {
+  switch (extent) {
+    case one:
+      return 1;
+    case walls:
+      return 2;
+    case Extent::bins:
+      return bins;
+    case modes:
+      return density_modes;
+    case one_with_modes:
+      break;
+  }
+  return density_modes > 0 ? 1 : 0;
+}
 
 }  // namespace
 
-TallyLayout::TallyLayout(int bins) : bins_(bins), offset_{0} {
-  for (const Entry& entry : entries) {
-    const std::size_t count = entry.extent == one ? 1 : entry.extent == walls ? 2 : static_cast<std::size_t>(bins);
-    offset_.push_back(offset_.back() + count);
-  }
+TallyLayout::TallyLayout(int bins, int density_modes) : bins_(bins), density_modes_(density_modes), offset_{0} {
+  for (const Entry& entry : entries)
+    offset_.push_back(offset_.back() + static_cast<std::size_t>(count_of(entry.extent, bins, density_modes)));
 }
 
 std::string_view TallyLayout::name(Tally tally) { return entries[static_cast<std::size_t>(tally)].name; }
@@ -69,7 +89,8 @@ std::vector<std::string> TallyLayout::labels() const {
   std::vector<std::string> labels;
   for (int t = 0; t < static_cast<int>(Tally::size_); ++t) {
     const auto tally = static_cast<Tally>(t);
-    if (extent(tally) == 1 && entries[static_cast<std::size_t>(t)].extent == one)
+    const Extent kind = entries[static_cast<std::size_t>(t)].extent;
+    if (extent(tally) == 1 && (kind == one || kind == one_with_modes))
       labels.emplace_back(name(tally));
     else
       for (std::size_t k = 0; k < extent(tally); ++k) labels.push_back(fmt::format("{}[{}]", name(tally), k));

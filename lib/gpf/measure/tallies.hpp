@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gpf/scene/scene.hpp"
+
 namespace gpf {
 
 /// Sums over time (contacts) or over samples (fields). Everything that a report shows is derived from these.
@@ -49,17 +51,27 @@ enum class Tally : int {
   stress_xx,
   stress_xy,
   stress_yy,  ///< J_a r_b, shared along the line of contact
-  size_       ///< number of tallies
+  // one number for each streamwise wavenumber k = 1 ... run.density_modes; samples: |a_k|^2, see density_modes.hpp
+  mode_even,
+  mode_odd,
+  mode_varicose,
+  // one number each where density_modes > 0; samples: what |a_k|^2 is on average for independent disks
+  mode_noise_even,
+  mode_noise_odd,
+  mode_noise_varicose,
+  size_  ///< number of tallies
 };
 
-/// Rows of tallies for a number of bins.
+/// Rows of tallies for a number of bins, and of density modes. Without density modes a row ends with the stresses.
 class TallyLayout {
  public:
-  explicit TallyLayout(int bins);
+  explicit TallyLayout(int bins, int density_modes = 0);
+  explicit TallyLayout(const Run& run) : TallyLayout(run.bins, run.density_modes) {}
 
   [[nodiscard]] int bins() const { return bins_; }
+  [[nodiscard]] int density_modes() const { return density_modes_; }
   [[nodiscard]] std::size_t size() const { return offset_.back(); }  ///< numbers in a row
-  /// Place of entry `k` (wall or bin) of a tally.
+  /// Place of entry `k` (wall, bin, or wavenumber less one) of a tally.
   [[nodiscard]] std::size_t at(Tally tally, int k = 0) const {
     return offset_[static_cast<std::size_t>(tally)] + static_cast<std::size_t>(k);
   }
@@ -71,7 +83,7 @@ class TallyLayout {
   [[nodiscard]] std::vector<std::string> labels() const;
 
  private:
-  int bins_;
+  int bins_, density_modes_;
   std::vector<std::size_t> offset_;
 };
 

@@ -117,6 +117,11 @@ Run run_of(const KeyValues& values, const Scene& scene) {
     throw values.error({"detail"}, fmt::format("detail = \"{}\" in a periodic scene", name_of(run.detail)),
                        "distributions and correlations are those of the bins across a channel",
                        "remove detail, or set geometry = \"channel\"");
+  run.density_modes = static_cast<std::int32_t>(values.integer("density_modes").value_or(0));
+  if (run.density_modes > 0 && scene.geometry != Geometry::channel)
+    throw values.error({"density_modes"}, fmt::format("density_modes = {} in a periodic scene", run.density_modes),
+                       "they are told apart by their shape across a channel",
+                       "remove density_modes, or set geometry = \"channel\"");
   return run;
 }
 

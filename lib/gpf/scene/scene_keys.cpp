@@ -154,7 +154,17 @@ constexpr std::array keys{
              .words = details,
              .meaning = "what is measured; distributions: of velocities, free paths and contact angles besides; "
                         "correlations: between disks and in time besides",
-             .otherwise = "profiles"}};
+             .otherwise = "profiles"},
+    SceneKey{.table = "run",
+             .name = "density_modes",
+             .kind = KeyKind::integer,
+             .least = 0,
+             .most = 1000,
+             .range_reason = "it counts wavenumbers, and 1000 along the channel resolve every disk of a long one",
+             .meaning =
+                 "density waves: wavenumbers k = 1, 2, ... along the channel of which the power is measured, for "
+                 "slugs, waves and varicose waves; channel only",
+             .otherwise = "0: not measured"}};
 
 }  // namespace
 

@@ -38,6 +38,7 @@ duration = 7.5
 collisions_per_particle = 250
 sample_interval = 0.125
 bins = 12
+density_modes = 4
 )";
   const SceneFile file = parsed(text);
   const Scene& s = file.scene;
@@ -58,6 +59,7 @@ bins = 12
   BOOST_TEST(file.run.collisions_per_particle == 250);
   BOOST_TEST(file.run.sample_interval == 0.125);
   BOOST_TEST(file.run.bins == 12);
+  BOOST_TEST(file.run.density_modes == 4);
   BOOST_TEST(file.text == text);
   BOOST_TEST(file.name == "test.toml");
 }
@@ -195,6 +197,8 @@ BOOST_AUTO_TEST_CASE(a_periodic_scene_has_neither_walls_nor_gravity) {
                 {"wall_tangential_restitution is given in a periodic scene"});
   check_refused(with(periodic_text, "[run]", "gravity = 1\n[run]"), "7:1",
                 {"gravity = 1 in a periodic scene", "accelerate for ever", "remove gravity"});
+  check_refused(with(periodic_text, "[run]", "[run]\ndensity_modes = 2"), "8:1",
+                {"density_modes = 2 in a periodic scene", "across a channel", "remove density_modes"});
   BOOST_TEST(parsed(with(periodic_text, "[run]", "gravity = 0\n[run]")).scene.gravity == 0);
 }
 

@@ -44,10 +44,11 @@ BOOST_AUTO_TEST_CASE(the_keys_are_those_of_the_specification) {
                                            "gravity",
                                            "lattice",
                                            "seed"};
-  const std::set<std::string> wanted_run{"start_up", "duration", "collisions_per_particle", "sample_interval", "bins", "detail"};
+  const std::set<std::string> wanted_run{
+      "start_up", "duration", "collisions_per_particle", "sample_interval", "bins", "detail", "density_modes"};
   BOOST_TEST((scene == wanted_scene));
   BOOST_TEST((run == wanted_run));
-  BOOST_TEST(scene_keys().size() == 18u);
+  BOOST_TEST(scene_keys().size() == 19u);
 }
 
 BOOST_AUTO_TEST_CASE(the_help_says_all_about_every_key) {

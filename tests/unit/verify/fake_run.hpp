@@ -59,7 +59,7 @@ inline Record fake_record(const SceneFile& file, std::size_t blocks = 64, const 
   r.build = r.session = "{}";
   r.wall_seconds = r.cpu_seconds = 0.25;
   r.blocks = blocks;
-  const TallyLayout layout(file.run.bins);
+  const TallyLayout layout(file.run);
   r.sums.assign(blocks * layout.size(), 0.0);
   std::mt19937_64 generator(file.scene.seed);
   std::normal_distribution<double> normal;

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(overlaps_and_lost_energy_are_found) {
   records["scene"][2].deepest_overlap = std::numeric_limits<double>::quiet_NaN();
   BOOST_TEST(!passes(records, "disks"));
 
-  const TallyLayout layout(records["scene"][0].run.bins);
+  const TallyLayout layout(records["scene"][0].run);
   BOOST_TEST(passes(records, "energy"));
   double& loss = records["scene"][0].sums[layout.at(Tally::pair_loss)];
   loss = 1e-12;  // against a kinetic energy of 10

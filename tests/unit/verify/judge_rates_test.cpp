@@ -112,4 +112,48 @@ BOOST_AUTO_TEST_CASE(many_checks_do_not_add_up_to_failures) {
   BOOST_TEST(rates.pass == 0);
 }
 
+/// As measure(), for one share whose true value is `truth`: labels are independent.
+Rates measure_share(double truth, int cap, int experiments = 2000) {
+  std::mt19937_64 generator(20240301);
+  std::bernoulli_distribution labelled(truth);
+  const std::vector<int> looks = looks_up_to(cap);
+  Rates rates;
+  for (int e = 0; e < experiments; ++e) {
+    Evidence evidence;
+    evidence.checks = {{.label = "share", .values = {}, .band = majority, .share = true}};
+    std::vector<double>& values = evidence.checks[0].values;
+    Outcome outcome = Outcome::inconclusive;
+    for (std::size_t look = 0; look < looks.size() && outcome == Outcome::inconclusive; ++look) {
+      while (values.size() < static_cast<std::size_t>(looks[look])) values.push_back(labelled(generator) ? 1 : 0);
+      outcome =
+          judge({}, Tier::quick, evidence, looks[look], static_cast<int>(look) + 1, static_cast<int>(looks.size()))
+              .outcome;
+    }
+    rates.pass += (outcome == Outcome::pass) / static_cast<double>(experiments);
+    rates.fail += (outcome == Outcome::fail) / static_cast<double>(experiments);
+  }
+  return rates;
+}
+
+// A label that half of all replicas have is not their class: passing is an error, at most one in twenty over all looks.
+// Failing it is one too (the band includes its edge), at most one in a hundred. Binomials are discrete: the rates lie
+// below.
+BOOST_AUTO_TEST_CASE(a_class_that_is_a_matter_of_chance_is_rarely_called_one) {
+  for (const int cap : {8, 16, 32}) {
+    const Rates rates = measure_share(0.5, cap);
+    constexpr double fewer = 3.1623;  // root of ten: a tenth of the experiments
+    BOOST_TEST(rates.pass < 0.05 + fewer * scatter(0.05));
+    BOOST_TEST(rates.fail < 0.01 + fewer * scatter(0.01));
+  }
+  BOOST_TEST(measure_share(0.3, 32).pass < 0.002);
+}
+
+BOOST_AUTO_TEST_CASE(a_class_is_found_where_there_is_one) {
+  BOOST_TEST(measure_share(1, 8).pass > 0.9999);
+  BOOST_TEST(measure_share(0.95, 32).pass > 0.99);
+  BOOST_TEST(measure_share(0, 8).fail > 0.9999);
+  BOOST_TEST(measure_share(0.05, 32).fail > 0.99);
+  BOOST_TEST(measure_share(1, 4).pass == 0.0);  // 4 of 4: 95 % lower bound .47
+}
+
 BOOST_AUTO_TEST_SUITE_END()

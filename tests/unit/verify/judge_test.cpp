@@ -1,5 +1,6 @@
 #include "verify/judge.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -41,6 +42,27 @@ std::vector<double> four_about(double mean, double s) {
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(judge_one_check)
+
+// 95 % lower bounds over two looks (.025 each): 8 of 8 .631, 7 of 8 .473, 14 of 16 .617.
+BOOST_AUTO_TEST_CASE(a_share_is_a_class_when_most_replicas_have_the_label) {
+  const auto judged = [](std::size_t hits, std::size_t trials) {
+    Check check = check_of(std::vector<double>(trials, 0), majority);
+    std::fill_n(check.values.begin(), hits, 1.0);
+    check.share = true;
+    return judge_once({check}, 2).checks[0];
+  };
+  BOOST_CHECK(judged(4, 4).outcome == Outcome::inconclusive);
+  BOOST_TEST(judged(4, 4).replicas_needed > 4);
+  BOOST_TEST(judged(4, 4).replicas_needed <= 8);
+  BOOST_CHECK(judged(8, 8).outcome == Outcome::pass);
+  BOOST_TEST(std::abs(judged(8, 8).interval.lo - std::pow(0.025, 1.0 / 8)) < 1e-12);
+  BOOST_CHECK(judged(7, 8).outcome == Outcome::inconclusive);
+  BOOST_CHECK(judged(14, 16).outcome == Outcome::pass);
+  BOOST_CHECK(judged(0, 4).outcome == Outcome::inconclusive);  // 1/16
+  BOOST_CHECK(judged(0, 8).outcome == Outcome::fail);          // 1/256 < .005
+  BOOST_CHECK(judged(1, 8).outcome == Outcome::inconclusive);  // 9/256
+  BOOST_TEST(std::isinf(judged(4, 8).replicas_needed));        // on the edge
+}
 
 BOOST_AUTO_TEST_CASE(looks_double_from_four_up_to_the_cap) {
   const auto same = [](int cap, std::vector<int> looks) { return looks_up_to(cap) == looks; };

@@ -66,6 +66,25 @@ BOOST_AUTO_TEST_CASE(what_was_saved_is_found_by_what_was_run) {
   BOOST_TEST(!store.load(longer));
 }
 
+BOOST_AUTO_TEST_CASE(density_modes_are_another_record_and_leave_the_others_alone) {
+  const SceneFile plain = replica_of(
+      parse_scene("[scene]\ngeometry = \"channel\"\nparticles = 40\narea_fraction = 0.2\nwidth_over_diameter = 10\n"
+                  "normal_restitution = 0.9\nwall_tangential_restitution = 0.5\n[run]\nduration = 4\n",
+                  "channel.toml"),
+      0, 0);
+  SceneFile waves = plain;
+  waves.run.density_modes = 3;
+  BOOST_TEST(canonical_text(plain.scene, plain.run).find("density_modes") == std::string::npos);
+  BOOST_TEST(store.path(waves) != store.path(plain));
+  store.save(plain, test::fake_record(plain));
+  store.save(waves, test::fake_record(waves));
+  const auto with = store.load(waves), without = store.load(plain);
+  BOOST_REQUIRE(with.has_value());
+  BOOST_REQUIRE(without.has_value());
+  BOOST_TEST(with->run.density_modes == 3);
+  BOOST_TEST(with->sums.size() == with->blocks * (TallyLayout(without->run).size() + 3 * 3 + 3));
+}
+
 BOOST_AUTO_TEST_CASE(a_truncated_record_is_reported_and_not_used) {
   store.save(replica, test::fake_record(replica));
   const auto size = std::filesystem::file_size(store.path(replica));

@@ -23,7 +23,7 @@ inline Evidence mean_virial(const Claim& claim, Tier, const SceneRecords& record
   for (const auto& [scene, replicas] : records) {
     Check check{"virial of " + scene, {}, {claim.parameter("lo"), claim.parameter("hi")}, false, 0, 10};
     for (const Record& record : replicas) {
-      const TallyLayout layout(record.run.bins);
+      const TallyLayout layout(record.run);
       double sum = 0;
       for (std::size_t b = 0; b < record.blocks; ++b) sum += record.sums[b * layout.size() + layout.at(Tally::virial)];
       check.values.push_back(sum / static_cast<double>(record.blocks));

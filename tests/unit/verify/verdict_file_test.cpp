@@ -24,7 +24,8 @@ Verdict full_verdict() {
   Evidence evidence;
   evidence.checks = {{"Z at nu 0.30", {1.0 / 3, 0.1, 2, 5e-324}, {-infinity, 1}, false, 0.3, nan_value},
                      {"energy \"drift\"", {1e-15}, {-1, 1}, true, 0, 0},
-                     {"not measured", {nan_value, 1, 2, 3}, {0, infinity}, false, 0, 1}};
+                     {"not measured", {nan_value, 1, 2, 3}, {0, infinity}, false, 0, 1},
+                     {"is a plug", {1, 1, 0, 1}, majority, false, 0, nan_value, true}};
   evidence.health = {{"steady", true, "z = 1"}, {"replicas differ", false, "two alike"}};
   evidence.plot = {"Z(nu)", "nu", "Z", false, true, std::pair{0.0, 1.0}, std::nullopt, {}};
   evidence.plot.series.push_back({"measured", SeriesStyle::points, {1, 2}, {3, nan_value}, {0.1, 0.2}, {}, {}});
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   BOOST_TEST(r.claim_hash == v.claim_hash);
   BOOST_TEST(r.release_seed == v.release_seed);
   BOOST_TEST(r.physics_version == physics_version);
-  BOOST_REQUIRE(r.checks.size() == 3U);
+  BOOST_REQUIRE(r.checks.size() == 4U);
   BOOST_TEST(r.checks[0].check.values == v.checks[0].check.values, boost::test_tools::per_element());
   BOOST_TEST(r.checks[0].check.band.lo == -infinity);
   BOOST_TEST(std::isnan(r.checks[0].check.reference));
@@ -62,6 +63,9 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   BOOST_TEST(r.checks[0].summary.deviation == v.checks[0].summary.deviation);
   BOOST_TEST(r.checks[1].check.exact);
   BOOST_TEST(std::isnan(r.checks[2].check.values[0]));
+  BOOST_TEST(!r.checks[2].check.share);
+  BOOST_TEST(r.checks[3].check.share);
+  BOOST_TEST(r.checks[3].interval.hi == v.checks[3].interval.hi);
   BOOST_TEST(r.health.size() == 2U);
   BOOST_TEST(!r.health[1].passed);
   BOOST_TEST(r.notes == v.notes, boost::test_tools::per_element());

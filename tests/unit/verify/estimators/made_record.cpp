@@ -15,7 +15,7 @@ Record made_record(const std::string& text, const std::function<void(const SetTa
   r.physics_version = physics_version;
   r.final_state = start_state(file.scene);
   r.blocks = blocks;
-  const TallyLayout layout(r.run.bins);
+  const TallyLayout layout(r.run);
   std::vector<double> row(layout.size(), 0.0);
   const SetTally set = [&](Tally tally, int k, double value) { row[layout.at(tally, k)] = value; };
   set(Tally::measured_time, 0, 1);

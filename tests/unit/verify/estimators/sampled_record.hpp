@@ -22,7 +22,7 @@ inline double uniform(std::uint64_t stream, std::uint64_t index) { return random
 /// The record of a run that saw these states, each as often as Correlations needs to count its pairs.
 inline Record sampled_record(const std::string& text, const std::vector<State>& states) {
   Record record = made_record(text, [](const SetTally&) {});
-  const TallyLayout layout(record.run.bins);
+  const TallyLayout layout(record.run);
   const Bins bins(record.run.bins);
   Correlations correlations(record.scene, record.run.bins);
   correlations.begin(states.front());

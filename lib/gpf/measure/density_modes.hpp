@@ -1,0 +1,36 @@
+// Density modes: how the disks of a channel are arranged along it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "gpf/scene/state.hpp"
+
+namespace gpf {
+
+/// How a mode varies across the channel, phi(y) with y in units of W. The three are orthonormal over 0 < y < 1.
+enum class ModeShape : std::size_t {
+  even,     ///< 1: slugs and clumps, the disks per length of channel
+  odd,      ///< sqrt(2) sin 2 pi (y - 1/2): a band that winds to and fro (sinuous wave)
+  varicose  ///< sqrt(2) cos 2 pi (y - 1/2): a band that swells and shrinks; a slug of finite height has it too
+};
+inline constexpr std::array mode_shapes{ModeShape::even, ModeShape::odd, ModeShape::varicose};
+
+/// Powers |a_k|^2 of one state for k = 1 ... count, with
+///   a_k = (1/N) sum_j exp(2 pi i k x_j/L) phi(y_j):
+/// thesis ch. 5, the Fourier coefficients of the density field, with the disks' places instead of a mesh, and resolved
+/// by parity across the channel instead of k_y, since a slug and a wave both have the coefficient (1, 1). No units;
+/// |a_k| <= 1 for `even`, sqrt(2) for the others. Phases drift with the flow: only powers can be averaged over time.
+struct DensityModes {
+  std::array<std::vector<double>, 3> power;  ///< [shape][k - 1]
+  /// What the power is on average when the disks of these heights lie anywhere along the channel, independently:
+  /// (1/N^2) sum_j phi(y_j)^2, which is 1/N for `even`. Disks exclude one another and so have less.
+  std::array<double, 3> noise{};  ///< [shape]
+};
+
+/// @param length L, in units of W like the positions; @param count number of wavenumbers, at least 1.
+/// Costs two pairs of sine and cosine a disk, and a rotation for each wavenumber: 80 ns a disk for four.
+DensityModes density_modes(const State& state, double length, int count);
+
+}  // namespace gpf
