@@ -137,8 +137,17 @@ void Engine<Queue, Physics>::fail_backwards(Index i) const {
 
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::fail_overlap(Index i) const {
+  std::string others;
+  for (Index j = 0; j < static_cast<Index>(plans_.size()); ++j)
+    for (const double shift_x : {-length_, 0.0, length_})
+      for (const double shift_y : {-1.0, 0.0, 1.0}) {
+        if (channel_ && shift_y != 0) continue;
+        const Flight &a = disk(i).flight, &b = disk(j).flight;
+        const Encounter<double> e = contact_time_.encounter(a, b, shift_x, shift_y);
+        if (e.meet() && contact_time_.contact(e, a.time, b.time).overlap) others += "; " + describe(j);
+      }
   throw PhysicsError(
-      fmt::format("a disk overlaps another beyond round-off and approaches it, epoch {} ({})", epoch_, describe(i)),
+      fmt::format("two disks overlap beyond round-off and approach, epoch {} ({}{})", epoch_, describe(i), others),
       "a contact was missed or the start state overlaps",
       "check the start state; if gpf made it, this is a bug: report it with the scene and this message");
 }
