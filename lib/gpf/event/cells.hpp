@@ -101,8 +101,8 @@ class Cells {
     const double flight_x = f.vx != 0 ? std::max((x - f.x) / f.vx, 0.0) : never;
     const double flight_y = f.vy != 0 ? std::max((y - f.y) / f.vy, 0.0) : never;
     const bool sideways = flight_x < flight_y;
-    const auto side = static_cast<Side>(sideways ? int{right} : 2 + int{up});
-    return {f.time + (sideways ? flight_x : flight_y), side, wall && !sideways};
+    const int side = 2 * !sideways + ((sideways & right) | (!sideways & up));  // a branch here would be guessed wrong
+    return {f.time + std::min(flight_x, flight_y), static_cast<Side>(side), wall && !sideways};
   }
 
   /// The cell beyond a side, where `x` and `y` count how often that goes round the grid.
