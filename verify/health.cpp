@@ -9,6 +9,7 @@
 #include <set>
 
 #include "gpf/base/vec2.hpp"
+#include "gpf/event/position_grid.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "gpf/stats/blocks.hpp"
 #include "verify/drift.hpp"
@@ -114,15 +115,16 @@ HealthCheck check_hashes(const SceneRecords& records) {
 }
 
 HealthCheck check_overlaps(const SceneRecords& records) {
-  double deepest = 0;
+  double deepest = 0, limit = deepest_healthy_overlap;  // of the record that is nearest to its limit
   std::string where = "no run";
   for (const auto& [scene, replicas] : records)
     for (const Record& record : replicas) {
-      const double overlap = record.deepest_overlap / record.scene.diameter();
-      if (overlap >= deepest || std::isnan(overlap)) deepest = overlap, where = scene;
+      const double overlap = record.deepest_overlap / record.scene.diameter(), allowed = healthy_overlap(record.scene);
+      if (overlap / allowed >= deepest / limit || std::isnan(overlap))
+        deepest = overlap, limit = allowed, where = scene;
     }
-  return {"disks do not overlap", deepest <= deepest_healthy_overlap,
-          fmt::format("deepest {:.2g} d, limit {:.0e} d ({})", deepest, deepest_healthy_overlap, where)};
+  return {"disks do not overlap", deepest <= limit,
+          fmt::format("deepest {:.2g} d, limit {:.2g} d ({})", deepest, limit, where)};
 }
 
 /// |work - losses - gain| over the sum of their sizes and the mean kinetic energy.
@@ -153,6 +155,11 @@ HealthCheck check_energy(const SceneRecords& records) {
 }
 
 }  // namespace
+
+double healthy_overlap(const Scene& scene) {
+  const double quantum = PositionGrid(scene.length(), 1).quantum() / scene.diameter();
+  return std::max(deepest_healthy_overlap, 2 * quantum);
+}
 
 std::vector<HealthCheck> check_records(const Claim& claim, const SceneRecords& records, bool statistical) {
   if (records.empty()) return {};

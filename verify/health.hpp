@@ -15,16 +15,23 @@ inline constexpr double health_false_alarm_rate = 0.0027;
 /// Fewest blocks of a record that is to show that it is steady: eight in each quarter of the window.
 inline constexpr std::size_t fewest_blocks_of_a_steady_run = 32;
 
-/// Deepest overlap in diameters, and imbalance of the energy budget over the measured window in units of the energy
-/// that turned over. Both are round-off, far below these limits, unless an event was missed or resolved wrongly.
+/// Deepest overlap in diameters where positions are known well enough, and imbalance of the energy budget over the
+/// measured window in units of the energy that turned over. Both are round-off, far below these limits, unless an event
+/// was missed or resolved wrongly.
 inline constexpr double deepest_healthy_overlap = 1e-12;
 inline constexpr double largest_healthy_imbalance = 1e-12;
+
+/// Deepest overlap in diameters that round-off explains in a scene: deepest_healthy_overlap, but no less than two
+/// quanta of the grid on which positions lie (PositionGrid; 2^-52 of the longest side). Each coordinate of two disks in
+/// contact is off by up to half a quantum, their distance hence by up to sqrt(2). In a channel 300 W long with W = 31 d
+/// a quantum is 3.5e-12 d.
+double healthy_overlap(const Scene& scene);
 
 /// The checks that hold for every record of a claim; each is one line, with its most extreme case in `detail`.
 ///
 /// For every record:
 /// - no two replicas of a scene have the same trace hash;
-/// - no overlap deeper than deepest_healthy_overlap;
+/// - no overlap deeper than healthy_overlap();
 /// - gravity's work = energy lost in contacts and at walls + kinetic energy gained.
 ///
 /// Where the claim makes statistical checks and does not read the transient, for scenes that can be steady:

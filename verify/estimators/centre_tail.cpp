@@ -33,14 +33,10 @@ void note_tail(Evidence& evidence, const CentreTail& tail) {
   }
 }
 
-/// A histogram must hold every count of the windows.
-void check_reach(Evidence& evidence, const std::vector<CentreTail>& tails) {
-  double reach = VelocityDistribution::range, widest = 0;
-  for (const CentreTail& tail : tails)
-    for (const VelocityDistribution& d : tail.distributions) reach = std::min(reach, d.reach);
+double widest_window() {
+  double widest = 0;
   for (const TailWindow window : tail_windows) widest = std::max(widest, window.to);
-  evidence.health.push_back({"the histograms reach beyond the windows", reach >= widest,
-                             fmt::format("all counts up to {:.1f} sigma, windows up to {:g}", reach, widest)});
+  return widest;
 }
 
 }  // namespace
@@ -56,6 +52,12 @@ CentreTail::CentreTail(const SceneValues& scene, Velocity v)
 
 std::string CentreTail::label() const {
   return fmt::format("nu {:.2f}, e_n {:.2f}, beta_w {:.1f}", nu, restitution, wall);
+}
+
+double CentreTail::reach() const {
+  double least = VelocityDistribution::range;
+  for (const VelocityDistribution& d : distributions) least = std::min(least, d.reach);
+  return least;
 }
 
 std::vector<double> CentreTail::over_population() const {
@@ -98,9 +100,20 @@ void add_power_law(Plot& plot, double exponent, double level) {
   plot.series.push_back(std::move(line));
 }
 
-void describe_tails(Evidence& evidence, const std::vector<CentreTail>& tails) {
-  check_reach(evidence, tails);
-  for (const CentreTail& tail : tails) note_tail(evidence, tail);
+void note_tails(Evidence& evidence, const std::vector<CentreTail>& tails) {
+  for (const CentreTail& tail : tails)
+    if (tail.reach() >= widest_window())
+      note_tail(evidence, tail);
+    else
+      evidence.notes.push_back(fmt::format("{}, {}: the histogram holds all counts up to {:.1f} sigma only.",
+                                           name_of(tail.velocity), tail.label(), tail.reach()));
+}
+
+void check_reach(Evidence& evidence, const std::vector<CentreTail>& tails) {
+  double reach = VelocityDistribution::range;
+  for (const CentreTail& tail : tails) reach = std::min(reach, tail.reach());
+  evidence.health.push_back({"the histograms reach beyond the windows", reach >= widest_window(),
+                             fmt::format("all counts up to {:.1f} sigma, windows up to {:g}", reach, widest_window())});
 }
 
 }  // namespace gpf

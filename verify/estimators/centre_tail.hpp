@@ -24,6 +24,8 @@ struct CentreTail {
 
   CentreTail(const SceneValues& scene, Velocity v);
   [[nodiscard]] std::string label() const;
+  /// In every replica the histogram holds all counts up to this, in sigma.
+  [[nodiscard]] double reach() const;
   /// Counts beyond three sigma, over those of a Gaussian.
   [[nodiscard]] std::vector<double> over_population() const;
 };
@@ -34,9 +36,12 @@ std::vector<CentreTail> centre_tails(const SceneRecords& records, Velocity veloc
 /// "2-4 sigma".
 std::string window_label(TailWindow window);
 
-/// Adds what the page says of each: exponents by window, and which law the counts prefer; and the health check that
-/// the histograms hold every count of the windows.
-void describe_tails(Evidence& evidence, const std::vector<CentreTail>& tails);
+/// Adds what the page says of each: exponents by window, and which law the counts prefer; or that its histogram ends
+/// within the windows.
+void note_tails(Evidence& evidence, const std::vector<CentreTail>& tails);
+
+/// Adds the health check that the histograms hold every count of the windows.
+void check_reach(Evidence& evidence, const std::vector<CentreTail>& tails);
 
 /// Positive tails on logarithmic axes: an empty plot, a scene in it, and a line of the given exponent through (3,
 /// level).

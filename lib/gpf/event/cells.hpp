@@ -36,9 +36,11 @@ class Cells {
   Cells(const Scene& scene, double lower, double upper, double length, double disks_per_cell)
       : channel_(scene.geometry == Geometry::channel), lower_(lower), upper_(upper), length_(length) {
     const double height = upper - lower;
-    const double side =
-        std::max(scene.diameter() * (1 + 1e-9), std::sqrt(disks_per_cell * length * height / scene.particles));
-    const auto fit = [side](double extent, Index least) { return std::max(least, static_cast<Index>(extent / side)); };
+    const double narrowest = scene.diameter() * (1 + 1e-9);
+    const double side = std::sqrt(disks_per_cell * length * height / scene.particles);
+    const auto fit = [=](double extent, Index least) {
+      return std::max(least, static_cast<Index>(std::min(std::round(extent / side), std::floor(extent / narrowest))));
+    };
     columns_ = fit(length, 3);
     rows_ = fit(height, channel_ ? 1 : 3);
     width_ = length / columns_;

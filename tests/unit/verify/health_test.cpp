@@ -122,6 +122,15 @@ BOOST_AUTO_TEST_CASE(overlaps_and_lost_energy_are_found) {
   BOOST_TEST(!passes(records, "disks"));
   records["scene"][2].deepest_overlap = std::numeric_limits<double>::quiet_NaN();
   BOOST_TEST(!passes(records, "disks"));
+  // In a channel 294 W long positions are known to 2^-43 W only.
+  records = records_of(test::channel_scene, 4);
+  Scene& scene = records["scene"][2].scene;
+  scene.width_over_diameter = 31, scene.length_over_width = 294, scene.particles = 900;
+  BOOST_TEST(healthy_overlap(scene) == 2 * 0x1p-43 * 31);
+  records["scene"][2].deepest_overlap = 1.9 * 0x1p-43;
+  BOOST_TEST(passes(records, "disks"));
+  records["scene"][2].deepest_overlap = 2.1 * 0x1p-43;
+  BOOST_TEST(!passes(records, "disks"));
 
   const TallyLayout layout(records["scene"][0].run);
   BOOST_TEST(passes(records, "energy"));

@@ -146,6 +146,22 @@ BOOST_AUTO_TEST_CASE(order_of_the_tails_of_dense_flows) {
   add(0.85, 0.9, 5, 7.5, 11);
   BOOST_TEST(contains(outside(estimate_dense_tails(claim, Tier::standard, records)),
                       "u_x, 2-4 sigma: fall of the exponent from e_n 0.99 to 0.90"));
+  // Where a flow begins so quietly that its histograms end within the windows, what they show is not judged.
+  int calls = 0;
+  const double quiet = 0.1;
+  for (auto& [name, replicas] : records)
+    if (name == std::to_string(0.85) + std::to_string(0.1) + "80")
+      replicas = sampled_records(2, channel_scene(0.85, 0.80, 0.1), 3000, [&](Generator& g, int) {
+        const double scale = calls++ < 1000 ? quiet : 1;
+        return scale * Vec2{power_tail(g, 5), power_tail(g, 5)};
+      });
+  const Evidence partial = estimate_dense_tails(claim, Tier::standard, records);
+  BOOST_TEST(partial.checks.size() == 2u * 3 * 6);
+  BOOST_TEST(!std::any_of(partial.checks.begin(), partial.checks.end(), [](const Check& check) {
+    return check.label.find("e_n 0.80, rough less smooth") != std::string::npos;
+  }));
+  BOOST_TEST(partial.health.back().passed);
+
   records.erase(records.begin());
   BOOST_CHECK_THROW(estimate_dense_tails(claim, Tier::standard, records), InputError);
 }
