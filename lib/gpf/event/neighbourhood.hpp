@@ -71,7 +71,7 @@ class Neighbourhood {
       const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b, lane(shift_x_, k), lane(shift_y_, k));
       const ContactOf<Lane> contact = contact_time.contact<a_is_latest>(e, a.time, b.time);
       const Lane theirs{b0.contact, b1.contact, b2.contact, b3.contact};
-      const Lane time = e.meet() & (contact.time <= theirs) ? contact.time : Lane{} + never;
+      const Lane time = (e.meet() & (contact.time <= theirs)) ? contact.time : Lane{} + never;
       times[k / lane_width] = time;
       least = time < least ? time : least;
       overlap |= e.meet() & contact.overlap;
