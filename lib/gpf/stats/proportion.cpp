@@ -42,9 +42,9 @@ Interval proportion_interval(Share share, double alpha) {
   if (!(alpha > 0 && alpha < 0.5))
     throw InputError(fmt::format("no interval with error rate {} per direction", alpha),
                      "it must lie between 0 and 1/2", "pass for example 0.05");
-  const auto [hits, trials] = share;
-  return {hits == 0 ? 0 : solve([&](double p) { return at_least(hits, trials, p); }, true, alpha),
-          hits == trials ? 1 : solve([&](double p) { return at_most(hits, trials, p); }, false, alpha)};
+  const auto least = [share](double p) { return at_least(share.hits, share.trials, p); };
+  const auto most = [share](double p) { return at_most(share.hits, share.trials, p); };
+  return {share.hits == 0 ? 0 : solve(least, true, alpha), share.hits == share.trials ? 1 : solve(most, false, alpha)};
 }
 
 double outside_band_p_value(Share share, Interval band) {
