@@ -39,9 +39,15 @@ double healthy_overlap(const Scene& scene);
 ///   one test; with m of them each has the error rate health_false_alarm_rate/m (Bonferroni), so that a claim with many
 ///   scenes raises no more false alarms than one with a single scene. Records with fewer than
 ///   fewest_blocks_of_a_steady_run blocks fail: they cannot show it;
-/// - block errors agree with the scatter between replicas (R >= 8 and at least 20 blocks): their ratio lies within
-///   [0.5, 2], or departs from 1 by no more than chance, with the same error rate and correction. (With R = 8 the
-///   scatter itself is known to 27 %: for true ratios of 1, 3 % of the measured ones exceed 2.)
+/// - replicas scatter no less than their block errors (R >= 8 and at least 20 blocks): else they are not independent,
+///   and the verdict, which rests on their scatter alone, is too sure. The ratio of block error to scatter is at most
+///   2, or departs from 1 by no more than chance, with the same error rate and correction. (With R = 8 the scatter
+///   itself is known to 27 %: for true ratios of 1, 3 % of the measured ones exceed 2.) Block errors are too large by
+///   themselves where neighbouring blocks undo each other - a rate whose integral is bounded, such as the virial of a
+///   crystal whose disks keep their places -: correlations at lags 1 and 2 that sum up to -3/8 or below make the
+///   variance of a run's mean 1 + 2 (rho_1 + rho_2) <= 1/4 of what the blocks' scatter says, and explain a ratio
+///   above 2. A ratio below 1/2 is told, but no failure: runs that keep to long-lived states of their own (plugs do)
+///   are what replicas are for.
 std::vector<HealthCheck> check_records(const Claim& claim, const SceneRecords& records, bool statistical);
 
 }  // namespace gpf

@@ -109,7 +109,7 @@ Evidence power_law_evidence(const Claim& claim, const SceneRecords& records, con
                                            describe(fit)));
     }
   }
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "Exponents are slopes of ln y against ln x, every point of equal weight, fitted in each replica; the band is "
       "widened by half the spread of the three windows (all points, without the quarter of largest x, without that of "
       "smallest x). Ends: the third of the points with the smallest and with the largest x. In the plot lines are the "

@@ -116,10 +116,10 @@ BOOST_AUTO_TEST_CASE(an_empty_text_is_an_empty_table) {
 }
 
 BOOST_AUTO_TEST_CASE(quoted_text_is_fit_for_a_message) {
-  BOOST_TEST(quoted("abc") == "'abc'");
-  BOOST_TEST(quoted("a\nb\x1b[1m") == "'a?b?[1m'");
-  BOOST_TEST(quoted(std::string(41, 'x')) == std::string("'") + std::string(40, 'x') + "...'");
-  BOOST_TEST(quoted(std::string(40, 'x')) == std::string("'") + std::string(40, 'x') + "'");
+  BOOST_TEST(gpf::quoted("abc") == "'abc'");
+  BOOST_TEST(gpf::quoted("a\nb\x1b[1m") == "'a?b?[1m'");
+  BOOST_TEST(gpf::quoted(std::string(41, 'x')) == std::string("'") + std::string(40, 'x') + "...'");
+  BOOST_TEST(gpf::quoted(std::string(40, 'x')) == std::string("'") + std::string(40, 'x') + "'");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
