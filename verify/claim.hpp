@@ -38,8 +38,9 @@ struct Claim {
   std::map<Tier, int> replicas;  ///< most replicas that the judge may ask for, by tier
   std::vector<ToleranceTerm> tolerance;
   std::string tolerance_unit;  ///< "relative", "absolute", ...: what the terms are measured in
-  std::map<std::string, double, std::less<>> parameters;  ///< further numbers of the estimator
-  std::vector<std::string> catches;                       ///< faults that the claim is there to catch
+  std::map<std::string, double, std::less<>> parameters;       ///< further numbers of the estimator
+  std::map<std::string, std::string, std::less<>> structures;  ///< class claims of chapter 5: by scene
+  std::vector<std::string> catches;                            ///< faults that the claim is there to catch
   bool transient = false;       ///< it reads the way to the steady state: its runs need not be stationary
   std::string reproduce;        ///< the one command that reproduces it (generated)
   std::uint64_t text_hash = 0;  ///< hash_text of the file: a verdict on another text is stale

@@ -14,10 +14,10 @@ namespace gpf {
 namespace {
 
 using Keys = std::span<const std::string_view>;
-constexpr std::array<std::string_view, 17> claim_keys{
-    "id",      "title",    "chapter",          "source",    "statement", "method",
-    "kind",    "expected", "expected_because", "estimator", "transient", "tolerance_unit",
-    "catches", "scenes",   "replicas",         "tolerance", "parameters"};
+constexpr std::array<std::string_view, 18> claim_keys{
+    "id",      "title",    "chapter",          "source",    "statement",  "method",
+    "kind",    "expected", "expected_because", "estimator", "transient",  "tolerance_unit",
+    "catches", "scenes",   "replicas",         "tolerance", "parameters", "structures"};
 constexpr std::array<std::string_view, 3> tier_keys{"quick", "standard", "full"};
 constexpr std::array<std::string_view, 3> term_keys{"name", "value", "evidence"};
 constexpr std::array<std::int64_t, 5> replica_caps{1, 4, 8, 16, 32};
@@ -148,6 +148,10 @@ Claim parse_claim(std::string_view text, const std::filesystem::path& path) {
   if (file.has("parameters")) {
     const TomlFields parameters = file.table("parameters", "[parameters]", {});
     for (const TomlEntry& entry : parameters.entries()) claim.parameters[entry.key] = parameters.number(entry.key);
+  }
+  if (file.has("structures")) {
+    const TomlFields structures = file.table("structures", "[structures]", {});
+    for (const TomlEntry& entry : structures.entries()) claim.structures[entry.key] = structures.text(entry.key);
   }
   claim.reproduce = "gpf validate " + claim.id;
   claim.text_hash = hash_text(text);

@@ -10,6 +10,7 @@ namespace gpf {
 void add_run_command(CLI::App& app, int& status);
 void add_validate_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
+void add_campaign_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
 
 }  // namespace gpf

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   gpf::add_validate_command(app, status);
   gpf::add_explain_command(app, status);
   gpf::add_report_command(app, status);
+  gpf::add_campaign_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

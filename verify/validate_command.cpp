@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <thread>
@@ -10,19 +9,11 @@
 #include "gpf/base/error.hpp"
 #include "verify/commands.hpp"
 #include "verify/gate.hpp"
+#include "verify/stop_signals.hpp"
 #include "verify/validate.hpp"
 
 namespace gpf {
 namespace {
-
-volatile std::sig_atomic_t stop_requested = 0;
-extern "C" void stop_validation(int) { stop_requested = 1; }
-
-/// Signals that ask a program to end, the one from a terminal that closes unless it is ignored (nohup).
-void listen_to_signals() {
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, stop_validation);
-  if (std::signal(SIGHUP, stop_validation) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
-}
 
 int pass_gate(const ValidateOptions& options) {
   const auto findings = gate_findings({options.tier, options.store, options.reference, program_hash()});
@@ -66,9 +57,8 @@ void add_validate_command(CLI::App& app, int& status) {
       "  gpf validate eos.virial --jobs 2\n");
   command->callback([options, tier, gate, &status] {
     options->tier = tier_named(*tier);
-    options->stop = &stop_requested;
+    options->stop = stop_on_signals();
     options->command = {"gpf", "validate", "--tier", *tier};
-    listen_to_signals();
     status = *gate ? pass_gate(*options) : validate(*options);
   });
 }

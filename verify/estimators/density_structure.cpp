@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "gpf/base/error.hpp"
+#include "gpf/measure/tallies.hpp"
 #include "gpf/stats/proportion.hpp"
 
 namespace gpf {
@@ -15,16 +17,52 @@ double greatest(std::span<const double> contrasts) {
   return contrasts.empty() ? 0 : *std::max_element(contrasts.begin(), contrasts.end());
 }
 
+InputError no_modes(const std::string& where) {
+  return InputError("no density modes in " + where, "its [run] does not ask for them",
+                    "add density_modes = 4 to the scene file and run it again");
+}
+
+double second_greatest(std::vector<double> contrasts) {
+  if (contrasts.size() < 2) return 0;
+  std::nth_element(contrasts.begin(), contrasts.begin() + 1, contrasts.end(), std::greater<>());
+  return contrasts[1];
+}
+
 /// Of all k > 1.
 double greatest_of_short(const std::vector<double>& contrasts) { return greatest(std::span(contrasts).subspan(1)); }
 
 }  // namespace
 
+DensityContrast density_contrast_between(const Record& record, double from, double to) {
+  const TallyLayout layout(record.run);
+  if (layout.density_modes() == 0) throw no_modes("the record");
+  const double block = (record.time - record.run.start_up) / static_cast<double>(record.blocks);
+  std::vector<double> sums(layout.size());
+  bool any = false;
+  for (std::size_t b = 0; b < record.blocks; ++b) {
+    const double middle = record.run.start_up + (static_cast<double>(b) + 0.5) * block;
+    if (middle < from || middle >= to) continue;
+    any = true;
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += record.sums[b * sums.size() + k];
+  }
+  if (!any)
+    throw InputError(fmt::format("nothing was measured from t = {} to {}", from, to),
+                     fmt::format("the run measured from {} to {}", record.run.start_up, record.time),
+                     "correct the claim's window, or the scene's start_up and duration");
+  const auto contrast = [&](Tally power, Tally noise) {
+    std::vector<double> values;
+    for (int k = 0; k < layout.density_modes(); ++k)
+      values.push_back(sums[layout.at(power, k)] / sums[layout.at(noise)]);
+    return values;
+  };
+  using enum Tally;
+  return {contrast(mode_even, mode_noise_even), contrast(mode_odd, mode_noise_odd),
+          contrast(mode_varicose, mode_noise_varicose)};
+}
+
 std::vector<DensityContrast> density_contrasts(const SceneValues& scene) {
   const int modes = scene.records().front().run.density_modes;
-  if (modes == 0)
-    throw InputError(fmt::format("no density modes in the records of {}", scene.name()),
-                     "its [run] does not ask for them", "add density_modes = 4 to the scene file and run it again");
+  if (modes == 0) throw no_modes("the records of " + scene.name());
   std::vector<DensityContrast> contrasts(scene.replicas());
   const auto take = [&](const std::string& shape, std::vector<double> DensityContrast::*member) {
     const std::vector<double> noise = scene.of("density_noise_" + shape);
@@ -40,15 +78,16 @@ std::vector<DensityContrast> density_contrasts(const SceneValues& scene) {
 }
 
 std::optional<Structure> classify(const DensityContrast& c) {
-  const double varicose = greatest(c.varicose), short_even = greatest_of_short(c.even),
-               short_odd = greatest_of_short(c.odd);
-  if (std::max({greatest(c.even), greatest(c.odd), varicose}) <= visible_contrast / clear_factor)
-    return Structure::plug;
+  const double even = greatest(c.even), odd = greatest(c.odd), varicose = greatest(c.varicose),
+               short_even = greatest_of_short(c.even);
+  if (std::max({even, odd, varicose}) <= visible_contrast / clear_factor) return Structure::plug;
   const auto stands_out = [](double mode, double others) {
     return mode >= visible_contrast && mode > clear_factor * others;
   };
-  if (stands_out(c.odd[0], std::max({greatest(c.even), varicose, short_odd}))) return Structure::wave;
-  if (stands_out(c.even[0], std::max(greatest(c.odd), short_even))) return Structure::slug;
+  if (stands_out(odd, std::max({even, varicose, second_greatest(c.odd)}))) return Structure::wave;
+  if (stands_out(varicose, std::max(odd, varicose_of_a_lump * even))) return Structure::varicose;
+  if (stands_out(c.even[0], std::max(odd, short_even))) return Structure::slug;
+  if (stands_out(short_even, odd) && short_even >= c.even[0]) return Structure::clumps;
   return std::nullopt;
 }
 
@@ -58,10 +97,14 @@ std::string name_of(Structure structure) {
       return "plug";
     case Structure::wave:
       return "wave";
+    case Structure::varicose:
+      return "varicose wave";
     case Structure::slug:
+      return "slug";
+    case Structure::clumps:
       break;
   }
-  return "slug";
+  return "clumps";
 }
 
 std::string name_of(const std::optional<Structure>& structure) {

@@ -1,4 +1,4 @@
-// Plug, wave or slug: how the disks of a channel are arranged along it, from the density modes of a run.
+// Plug, wave, varicose wave, slug or clumps: how the disks of a channel are arranged along it, from its density modes.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@
 
 namespace gpf {
 
-enum class Structure { plug, wave, slug };
-inline constexpr std::array structures{Structure::plug, Structure::wave, Structure::slug};
+enum class Structure { plug, wave, varicose, slug, clumps };
+inline constexpr std::array structures{Structure::plug, Structure::wave, Structure::varicose, Structure::slug,
+                                       Structure::clumps};
 
 /// Contrast of each density mode: the mean of |a_k|^2 over samples in units of what independent disks at the same
 /// heights have (density_modes.hpp). 1 for an ideal gas, less for disks that exclude one another. No units. [k - 1]
@@ -22,6 +23,9 @@ struct DensityContrast {
 
 /// One replica's, from the density powers and noise of derive_quantities.
 std::vector<DensityContrast> density_contrasts(const SceneValues& scene);
+/// The blocks of a run whose middle lies within from <= t < to, t counted from the start of the run. Throws InputError
+/// when there is none, or no density modes.
+DensityContrast density_contrast_between(const Record& record, double from, double to);
 
 /// The power of a mode of many independent disks is distributed exponentially about its mean: 1 % of snapshots exceed
 /// ln 100 = 4.6 means. That is where one snapshot begins to show something. A mode of contrast C, with the same
@@ -31,10 +35,20 @@ inline constexpr double visible_contrast = 6.643856189774724;
 /// quarter of the snapshots.
 inline constexpr double clear_factor = 2;
 
-/// Plug: no mode is seen (contrast at most visible_contrast/clear_factor). Wave, the thesis' one-humped one: the odd
-/// mode k = 1 is visible and exceeds clear_factor times every other mode. Slug: the even mode k = 1 is visible and
-/// exceeds clear_factor times every odd mode, and every even one of k > 1; a slug of finite height has the varicose
-/// mode too. Nothing between the classes. Varicose waves and clumps (k > 1) are in none of them.
+/// Disks that gather somewhere along the channel, at whatever height and in whatever shape, have a varicose mode too:
+/// for a narrow lump in the middle of the channel its power is twice that of the even mode, else less; in units of
+/// their noises no more than that either. A varicose wave moves no disks along the channel: it has the mode alone.
+inline constexpr double varicose_of_a_lump = 2;
+
+/// Plug: no mode is seen (no contrast above visible_contrast/clear_factor): whatever varies across the channel, nothing
+/// varies along it. Every other class has a visible mode that exceeds clear_factor times whatever speaks against it:
+/// - wave: an odd mode, against all others: the band winds, k humps to a period. The thesis' one-humped wave has k = 1;
+/// - varicose: a varicose mode, against the odd and, times varicose_of_a_lump, the even ones: the band swells and
+/// shrinks;
+/// - slug: the even mode k = 1, against the odd modes and the even ones of k > 1: one lump;
+/// - clumps: an even mode of k > 1, against the odd modes, and no weaker than the even mode k = 1: several lumps.
+/// Nothing between the classes; so a single lump shorter than a quarter of the period is not told from several, since
+/// its even modes k = 1 and 2 differ by less than clear_factor (for a lump of the part f of the period by cos^2 pi f).
 std::optional<Structure> classify(const DensityContrast& contrast);
 
 std::string name_of(Structure structure);

@@ -84,7 +84,9 @@ constexpr auto estimators =
                                                            {"n1_critical", estimate_n1_critical},
                                                            {"n1_kinetic", estimate_n1_kinetic},
                                                            {"n1_collisional", estimate_n1_collisional},
-                                                           {"n1_phase", estimate_n1_phase}});
+                                                           {"n1_phase", estimate_n1_phase},
+                                                           {"structure_classes", estimate_structure_classes},
+                                                           {"density_waves", estimate_density_waves}});
 
 }  // namespace
 

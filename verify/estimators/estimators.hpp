@@ -59,6 +59,8 @@ Evidence estimate_n1_critical(const Claim& claim, Tier tier, const SceneRecords&
 Evidence estimate_n1_kinetic(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_structure_classes(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_density_waves(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_plug_tails(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_dense_tails(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_same_distributions(const Claim& claim, Tier tier, const SceneRecords& records);

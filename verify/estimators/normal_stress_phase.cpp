@@ -29,8 +29,8 @@ Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
   return evidence;
 }
 
-// Claim n1.phase (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap. Positive in rows
-// at or above e_n `elastic`; within `coincidence` of zero in the others. Two changes of sign between the same two
+// Claims n1.phase, n1.phase.rough (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap.
+// Within `coincidence` of zero in rows below e_n `elastic`, and beyond it, to the positive side, in the others. Two changes of sign between the same two
 // scenes are resolved only if these are no farther apart than `coincidence`; else the gap has no values, and nothing is
 // decided.
 Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records) {
@@ -61,7 +61,7 @@ Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records
       const std::string label =
           fmt::format("{}: {} of N_1 = 0 less that of N_1^c = 0", rows[k].label(), name_of(density));
       if (rows[k].restitution >= claim.parameter("elastic"))
-        evidence.checks.push_back({.label = label, .values = gap(rows[k], density), .band = {0, INFINITY}});
+        evidence.checks.push_back({.label = label, .values = gap(rows[k], density), .band = {coincidence, INFINITY}});
       else
         evidence.checks.push_back(
             {.label = label, .values = gap(rows[k], density), .band = band_about(0, coincidence)});

@@ -40,7 +40,7 @@ std::vector<Channel> channels_of(const Claim& claim, const SceneRecords& records
   }
   std::sort(channels.begin(), channels.end(),
             [](const Channel& a, const Channel& b) { return a.length() < b.length(); });
-  for (const Structure structure : structures)
+  for (const Structure structure : {Structure::plug, Structure::wave, Structure::slug})
     if (std::none_of(channels.begin(), channels.end(), [&](const Channel& c) { return c.stated == structure; }))
       throw InputError(fmt::format("claim {} has no channel with a {}", claim.id, name_of(structure)),
                        "structures are compared with one another", "correct the claim's scenes or parameters");

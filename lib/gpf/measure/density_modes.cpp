@@ -14,7 +14,13 @@ DensityModes density_modes(const State& state, double length, int count) {
   for (auto& s : sum) s.assign(size, {});
   DensityModes modes;
   for (const Vec2 r : state.position) {
-    const double along = turn * r.x / length, across = turn * (r.y - 0.5);
+    const double across = turn * (r.y - 0.5);
+    modes.band = modes.band + Vec2{std::cos(across), std::sin(across)};
+  }
+  modes.band = (1 / static_cast<double>(state.position.size())) * modes.band;
+  const double middle = 0.5 + std::atan2(modes.band.y, modes.band.x) / turn;
+  for (const Vec2 r : state.position) {
+    const double along = turn * r.x / length, across = turn * (r.y - middle);
     const std::array<double, 3> phi{1, std::numbers::sqrt2 * std::sin(across), std::numbers::sqrt2 * std::cos(across)};
     const Vec2 step{std::cos(along), std::sin(along)};
     Vec2 e = step;  // exp(2 pi i k x/L)

@@ -166,6 +166,8 @@ void Measurement::add_density_modes(const State& state) {
     for (int k = 0; k < layout_.density_modes(); ++k) sum(power[s], k) += modes.power[s][static_cast<std::size_t>(k)];
     sum(noise[s]) += modes.noise[s];
   }
+  sum(Tally::band_cos) += modes.band.x;
+  sum(Tally::band_sin) += modes.band.y;
 }
 
 void Measurement::sample(double time, const State& state) {

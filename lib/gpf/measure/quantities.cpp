@@ -129,6 +129,9 @@ class Derivation {
     shape("even", mode_even, mode_noise_even);
     shape("odd", mode_odd, mode_noise_odd);
     shape("varicose", mode_varicose, mode_noise_varicose);
+    const double cosine = ratio(total(band_cos), total(samples)), sine = ratio(total(band_sin), total(samples));
+    put("band_strength", std::hypot(cosine, sine));
+    put("band_shift", std::atan2(sine, cosine) / (2 * std::numbers::pi));
   }
 
   /// p A = KE + (1/2) sum of r.J per time; with zero total momentum T = KE/(N - 1) and p A/(N T) = Z_N - 1/N.

@@ -43,7 +43,9 @@ struct Quantity {
 /// energy_change.
 /// Where density modes are measured, one value per wavenumber k = 1, 2, ...: density_power_even, _odd, _varicose, the
 /// mean of |a_k|^2 (density_modes.hpp) less what independent disks of these heights have. So 0 for an ideal gas, and
-/// down to -1/N for disks that exclude one another. One value: density_noise_even, _odd, _varicose, what was taken off.
+/// down to -1/N for disks that exclude one another. One value: density_noise_even, _odd, _varicose, what was taken off;
+/// band_strength and band_shift: size of the mean of exp(2 pi i (y - 1/2)), and the height of the band's middle less
+/// 1/2.
 std::vector<Quantity> derive_quantities(const Scene& scene, const TallyLayout& layout, std::span<const double> totals);
 
 /// A quantity with its errors.

@@ -58,6 +58,8 @@ constexpr std::array<Entry, static_cast<std::size_t>(Tally::size_)> entries{{
     {"mode_noise_even", one_with_modes},
     {"mode_noise_odd", one_with_modes},
     {"mode_noise_varicose", one_with_modes},
+    {"band_cos", one_with_modes},
+    {"band_sin", one_with_modes},
 }};
 
 int count_of(Extent extent, int bins, int density_modes) {

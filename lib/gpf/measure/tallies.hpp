@@ -59,6 +59,9 @@ enum class Tally : int {
   mode_noise_even,
   mode_noise_odd,
   mode_noise_varicose,
+  // one number each where density_modes > 0; samples: mean of cos and sin of 2 pi (y - 1/2) over the disks
+  band_cos,
+  band_sin,
   size_  ///< number of tallies
 };
 

@@ -25,7 +25,11 @@ BOOST_AUTO_TEST_CASE(each_structure_by_its_mode) {
   BOOST_CHECK(classify(contrast(0.3, 3.3)) == Structure::plug);
   BOOST_CHECK(classify(contrast(2, 8)) == Structure::wave);
   BOOST_CHECK(classify(contrast(60, 2)) == Structure::slug);
-  BOOST_CHECK(classify(contrast(60, 2, 50)) == Structure::slug);  // of finite height
+  BOOST_CHECK(classify(contrast(60, 2, 50)) == Structure::slug);       // of finite height
+  BOOST_CHECK(classify(contrast(1, 1, 1, 1, 20)) == Structure::wave);  // two humps
+  BOOST_CHECK(classify(contrast(1, 1, 20)) == Structure::varicose);
+  BOOST_CHECK(classify(contrast(20, 1, 15, 20)) == Structure::clumps);
+  BOOST_CHECK(classify(contrast(2, 1, 15, 20)) == Structure::clumps);
 }
 
 BOOST_AUTO_TEST_CASE(what_lies_between_is_in_no_class) {
@@ -35,9 +39,10 @@ BOOST_AUTO_TEST_CASE(what_lies_between_is_in_no_class) {
   BOOST_CHECK(!classify(contrast(10, 19)));
   BOOST_CHECK(!classify(contrast(19, 10)));
   BOOST_CHECK(!classify(contrast(1, 8, 5)));        // a band that winds and swells
-  BOOST_CHECK(!classify(contrast(1, 1, 20)));       // varicose
+  BOOST_CHECK(!classify(contrast(6, 1, 20)));       // a band that swells, and gathers a little
   BOOST_CHECK(!classify(contrast(1, 8, 1, 1, 5)));  // two humps as well
-  BOOST_CHECK(!classify(contrast(20, 1, 1, 20)));   // clumps
+  BOOST_CHECK(!classify(contrast(20, 1, 1, 15)));   // a short slug, or clumps
+  BOOST_CHECK(!classify(contrast(10, 11, 1, 20)));  // clumps that wind
 }
 
 BOOST_AUTO_TEST_CASE(bistable_needs_two_classes_that_are_more_than_rare) {

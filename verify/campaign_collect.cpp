@@ -1,0 +1,153 @@
+#include "verify/campaign_collect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "gpf/base/error.hpp"
+#include "gpf/io/markdown.hpp"
+#include "verify/estimators/scene_values.hpp"
+
+namespace gpf {
+namespace {
+
+constexpr double alpha = 0.05;
+
+/// Sets structure, share, confidence and bistable from the labels.
+void judge_labels(PointResult& result) {
+  if (result.labels.empty()) return;
+  std::map<std::optional<Structure>, std::size_t> count;
+  for (const auto& label : result.labels) ++count[label];
+  const auto most =
+      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  result.structure = most->first;
+  result.share = {most->second, result.labels.size()};
+  result.confidence = proportion_interval(result.share, alpha);
+  result.bistable = tally_of(result.labels).ends_with("bistable");
+}
+
+double over(const std::vector<double>& values) { return values.empty() ? NAN : over_replicas(values).mean; }
+
+std::vector<std::string> row_of(const Campaign& campaign, std::size_t point, const PointResult& result) {
+  std::vector<std::string> row;
+  for (std::size_t a = 0; a < campaign.axes.size(); ++a)
+    row.push_back(campaign.axes[a].texts[campaign.points[point].place[a]]);
+  row.push_back(fmt::format("{}", campaign.points[point].scene.scene.particles));
+  row.push_back(result.name());
+  row.push_back(fmt::format("{}/{}", result.share.hits, result.labels.size()));
+  row.push_back(fmt::format("{:.2f} to {:.2f}", result.confidence.lo, result.confidence.hi));
+  row.push_back(tally_of(result.labels));
+  row.push_back(fmt::format("{:.3f}", over(result.band_shift)));
+  row.push_back(fmt::format("{:.4f}", over(result.mean_flow)));
+  return row;
+}
+
+std::vector<std::string> header_of(const Campaign& campaign) {
+  std::vector<std::string> header;
+  for (const CampaignAxis& axis : campaign.axes) header.push_back(axis.key);
+  for (const char* name :
+       {"N", "structure", "replicas", "share, 95 % on either side", "all", "band shift, W", "mean flow"})
+    header.emplace_back(name);
+  return header;
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+std::string csv_line(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = csv_cell(cell);
+  return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+}  // namespace
+
+std::string PointResult::name() const {
+  if (labels.empty()) return "no run";
+  if (bistable) return "bistable";
+  return name_of(structure) + (structure && !decided() ? "?" : "");
+}
+
+std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manifest, const RecordStore& store) {
+  std::vector<PointResult> results;
+  for (const CampaignPoint& point : campaign.points) {
+    if (point.scene.run.density_modes == 0)
+      throw InputError(fmt::format("the runs of '{}' measure no density modes", campaign.title),
+                       "structures are told by them", "add density_modes = 8 to [run] and plan the campaign again");
+    std::vector<Record> records;
+    const std::string label = point.label + " #";
+    for (const ManifestEntry& entry : manifest)
+      if (entry.wanted && entry.label.starts_with(label))
+        if (auto record = store.load(job_of(entry).file)) records.push_back(std::move(*record));
+    PointResult result;
+    if (!records.empty()) {
+      const SceneValues scene(point.label, records);
+      for (const DensityContrast& contrast : density_contrasts(scene)) result.labels.push_back(classify(contrast));
+      result.band_shift = scene.of("band_shift");
+      result.mean_flow = scene.of("mean_flow");
+      judge_labels(result);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<PointResult>& results) {
+  std::vector<int> replicas;
+  for (std::size_t p = 0; p < results.size(); ++p) {
+    const std::vector<std::size_t> near = campaign.neighbours(p);
+    const bool boundary = std::any_of(near.begin(), near.end(),
+                                      [&](std::size_t n) { return results[n].structure != results[p].structure; });
+    const int done = std::max(static_cast<int>(results[p].labels.size()), campaign.replicas);
+    replicas.push_back(boundary || !results[p].decided() ? std::min(2 * done, campaign.most_replicas) : done);
+    replicas.back() = std::max(replicas.back(), done);
+  }
+  return replicas;
+}
+
+std::string phase_table(const Campaign& campaign, const std::vector<PointResult>& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t p = 0; p < results.size(); ++p) rows.push_back(row_of(campaign, p, results[p]));
+  return markdown_table(header_of(campaign), rows);
+}
+
+std::string phase_csv(const Campaign& campaign, const std::vector<PointResult>& results) {
+  std::string text = csv_line(header_of(campaign));
+  for (std::size_t p = 0; p < results.size(); ++p) text += csv_line(row_of(campaign, p, results[p]));
+  return text;
+}
+
+Plot phase_diagram(const Campaign& campaign, const std::vector<PointResult>& results) {
+  if (campaign.axes.size() > 2)
+    throw InputError(fmt::format("'{}' has {} axes", campaign.title, campaign.axes.size()), "a diagram has two",
+                     "read the table, or plan campaigns of two axes");
+  const CampaignAxis& across = campaign.axes.front();
+  const CampaignAxis* up = campaign.axes.size() == 2 ? &campaign.axes.back() : nullptr;
+  Plot plot{.title = campaign.title, .xlabel = across.key, .ylabel = up != nullptr ? up->key : ""};
+  std::map<std::string, Series> by_name;
+  std::vector<double> xs, ys;
+  for (std::size_t p = 0; p < results.size(); ++p) {
+    const auto& place = campaign.points[p].place;
+    Series& series = by_name[results[p].name()];
+    series.label = results[p].name();
+    series.x.push_back(across.numbers[place[0]]);
+    series.y.push_back(up != nullptr ? up->numbers[place[1]] : 0);
+    xs.push_back(series.x.back());
+    ys.push_back(series.y.back());
+  }
+  const auto range = [](const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double margin = *most > *least ? 0.1 * (*most - *least) : 1;
+    return std::pair{*least - margin, *most + margin};
+  };
+  plot.xrange = range(xs);
+  plot.yrange = range(ys);
+  for (auto& [name, series] : by_name) plot.series.push_back(std::move(series));
+  return plot;
+}
+
+}  // namespace gpf

@@ -1,0 +1,188 @@
+// Chapter 5: waves.classifier on made configurations, and the waves.* claims, which say what structure a scene has.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "gpf/base/error.hpp"
+#include "verify/estimators/density_structure.hpp"
+#include "verify/estimators/estimators.hpp"
+#include "verify/estimators/made_structures.hpp"
+
+namespace gpf {
+namespace {
+
+constexpr int all_classes = static_cast<int>(structures.size());
+
+/// How often each label is given to runs that are drawn from `structure`.
+std::map<std::string, int> labels_of(Structure structure, const MadeChannel& channel, int modes, int snapshots,
+                                     int runs) {
+  std::map<std::string, int> count;
+  for (int run = 0; run < runs; ++run)
+    ++count[name_of(classify(made_contrast(structure, channel, modes, snapshots, static_cast<std::uint64_t>(run))))];
+  return count;
+}
+
+/// A time in the words of a claim: "t from 3 to 5".
+struct Window {
+  double from = 0, to = INFINITY;
+
+  [[nodiscard]] std::string text() const {
+    return std::isinf(to) ? fmt::format("t from {:.3g} on", from) : fmt::format("t {:.3g} to {:.3g}", from, to);
+  }
+};
+
+/// A walled scene's rougher wall is the one with the smaller beta_w: +1 when it is the upper one, 0 when they are
+/// alike.
+int rougher_side(const Scene& scene) {
+  const auto& beta = scene.wall_tangential_restitution;
+  return beta[upper] < beta[lower] ? 1 : beta[upper] > beta[lower] ? -1 : 0;
+}
+
+std::vector<std::optional<Structure>> labels_in(const SceneValues& scene, const Window& window) {
+  std::vector<std::optional<Structure>> labels;
+  for (const Record& record : scene.records())
+    labels.push_back(classify(density_contrast_between(record, window.from, window.to)));
+  return labels;
+}
+
+void check_class(const SceneValues& scene, const Window& window, std::span<const std::string> stated,
+                 Evidence& evidence) {
+  const auto labels = labels_in(scene, window);
+  const auto is_stated = [&](const std::optional<Structure>& label) {
+    return label && std::find(stated.begin(), stated.end(), name_of(*label)) != stated.end();
+  };
+  evidence.checks.push_back(
+      {.label = fmt::format("{}, {}: replicas with a {}", scene.name(), window.text(), fmt::join(stated, " or ")),
+       .values = per_replica(labels.size(), [&](auto r) { return is_stated(labels[r]) ? 1.0 : 0.0; }),
+       .band = majority,
+       .reference = NAN,
+       .share = true});
+  evidence.notes.push_back(fmt::format("{}, {}: {}.", scene.name(), window.text(), tally_of(labels)));
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(" or ", from), text.size());
+    words.push_back(text.substr(from, to - from));
+    if (std::none_of(structures.begin(), structures.end(), [&](Structure s) { return name_of(s) == words.back(); }))
+      throw InputError(fmt::format("unknown structure '{}'", words.back()), "a claim's [structures] names another",
+                       "write plug, wave, varicose wave, slug or clumps, or several with ' or ' between");
+    from = to + 4;
+  }
+  return words;
+}
+
+/// Contrast of the strongest mode of each shape against time, replicas averaged.
+void draw(const SceneValues& scene, Plot& plot) {
+  const Record& first = scene.records().front();
+  const double block = (first.time - first.run.start_up) / static_cast<double>(first.blocks);
+  for (const auto& [name, member] : {std::pair{"even (slug, clumps)", &DensityContrast::even},
+                                     {"odd (wave)", &DensityContrast::odd},
+                                     {"varicose", &DensityContrast::varicose}}) {
+    Series series{.label = fmt::format("{}, {}", scene.name(), name), .style = SeriesStyle::line};
+    for (std::size_t b = 0; b + 8 <= first.blocks; b += 8) {
+      const double from = first.run.start_up + static_cast<double>(b) * block, to = from + 8 * block;
+      double sum = 0;
+      for (const Record& record : scene.records()) {
+        const std::vector<double> c = density_contrast_between(record, from, to).*member;
+        sum += *std::max_element(c.begin(), c.end());
+      }
+      series.x.push_back((from + to) / 2);
+      series.y.push_back(sum / static_cast<double>(scene.replicas()));
+    }
+    plot.series.push_back(std::move(series));
+  }
+}
+
+}  // namespace
+
+// Claim waves.classifier: `runs` made runs of each structure, in the middle of the channel and shifted toward a wall,
+// and as many of a gas without any: at least `right` of them get their own label, and none that of another class.
+Evidence estimate_structure_classes(const Claim& claim, Tier, const SceneRecords&) {
+  const int runs = static_cast<int>(claim.parameter("runs")), modes = static_cast<int>(claim.parameter("modes")),
+            snapshots = static_cast<int>(claim.parameter("snapshots"));
+  MadeChannel channel{.disks = static_cast<int>(claim.parameter("disks")), .length = 4};
+  Evidence evidence;
+  const auto add = [&](const std::string& name, Structure structure) {
+    const auto count = labels_of(structure, channel, modes, snapshots, runs);
+    const auto of = [&](const std::string& label) { return count.contains(label) ? count.at(label) : 0; };
+    const int right = of(name_of(structure)), abstained = of(name_of(std::nullopt));
+    evidence.checks.push_back({.label = name + ": share with the right label",
+                               .values = {static_cast<double>(right) / runs},
+                               .band = {claim.parameter("right"), 1},
+                               .exact = true});
+    evidence.checks.push_back({.label = name + ": share with the label of another structure",
+                               .values = {static_cast<double>(runs - right - abstained) / runs},
+                               .band = {0, 0},
+                               .exact = true});
+    std::string row = fmt::format("{} ({} runs):", name, runs);
+    for (const auto& [label, n] : count) row += fmt::format(" {} {},", n, label);
+    row.back() = '.';
+    evidence.notes.push_back(std::move(row));
+  };
+  for (const double shift : {0.0, claim.parameter("shift")})
+    for (const Structure structure : structures) {
+      channel.shift = shift;
+      add(fmt::format("{}{}", name_of(structure), shift == 0 ? "" : ", shifted toward a wall"), structure);
+    }
+  channel.shift = 0, channel.uniform_across = true;
+  add("gas without structure", Structure::plug);
+  channel.uniform_across = false;
+
+  evidence.plot = {.title = "Made runs with the right label",
+                   .xlabel = "strength of the structure",
+                   .ylabel = "share of the runs",
+                   .yrange = {{-0.05, 1.05}}};
+  for (int s = 1; s < all_classes; ++s) {
+    const Structure structure = structures[static_cast<std::size_t>(s)];
+    Series series{.label = name_of(structure)};
+    for (int step = 0; step <= 10; ++step) {
+      channel.strength = step / 10.0;
+      const auto count = labels_of(structure, channel, modes, snapshots, runs / 2);
+      const auto found = count.find(name_of(structure));
+      series.x.push_back(channel.strength);
+      series.y.push_back(found == count.end() ? 0 : static_cast<double>(found->second) / (runs / 2));
+    }
+    evidence.plot.series.push_back(std::move(series));
+  }
+  return evidence;
+}
+
+// Claims waves.*: in the window of time from `late_from` on (0 where it is not given) more than half of the replicas of
+// each scene have the structure that [structures] states; from `early_from` to `early_to`, where given, they are plugs.
+// Where the walls differ the band lies nearer to the rougher one.
+Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& records) {
+  const auto parameter = [&](const char* name, double otherwise) {
+    return claim.parameters.contains(name) ? claim.parameter(name) : otherwise;
+  };
+  const Window late{parameter("late_from", 0)}, early{parameter("early_from", 0), parameter("early_to", 0)};
+  Evidence evidence;
+  evidence.plot = {
+      .title = "Density modes", .xlabel = "t", .ylabel = "|a|² over that of independent disks", .logy = true};
+  for (const auto& [name, stated] : claim.structures)
+    if (!records.contains(name))
+      throw InputError(fmt::format("claim {} states the structure of '{}', which it does not read", claim.id, name),
+                       "[structures] and [scenes] differ", "correct the claim file");
+  for (const auto& [name, replicas] : records) {
+    const SceneValues scene(name, replicas);
+    const auto stated = claim.structures.find(name);
+    if (stated == claim.structures.end())
+      throw InputError(fmt::format("claim {} does not state the structure of '{}'", claim.id, name),
+                       "every scene of a waves claim has one", fmt::format("add \"{}\" to [structures]", name));
+    if (early.to > early.from) check_class(scene, early, std::vector<std::string>{name_of(Structure::plug)}, evidence);
+    check_class(scene, late, words_of(stated->second), evidence);
+    if (const int side = rougher_side(scene.scene()); side != 0) {
+      std::vector<double> shift = scene.of("band_shift");
+      for (double& value : shift) value *= side;
+      evidence.checks.push_back({.label = fmt::format("{}: shift of the band toward the rougher wall, in W", name),
+                                 .values = std::move(shift),
+                                 .band = {0, INFINITY}});
+    }
+    draw(scene, evidence.plot);
+  }
+  return evidence;
+}
+
+}  // namespace gpf
