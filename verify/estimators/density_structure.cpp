@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -87,7 +88,7 @@ std::optional<Structure> classify(const DensityContrast& c) {
   if (stands_out(odd, std::max({even, varicose, second_greatest(c.odd)}))) return Structure::wave;
   if (stands_out(varicose, std::max(odd, varicose_of_a_lump * even))) return Structure::varicose;
   if (stands_out(c.even[0], std::max(odd, short_even))) return Structure::slug;
-  if (stands_out(short_even, odd) && short_even >= c.even[0]) return Structure::clumps;
+  if (stands_out(short_even, odd) && c.even[0] <= std::sqrt(clear_factor) * short_even) return Structure::clumps;
   return std::nullopt;
 }
 

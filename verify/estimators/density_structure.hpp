@@ -46,9 +46,10 @@ inline constexpr double varicose_of_a_lump = 2;
 /// - varicose: a varicose mode, against the odd and, times varicose_of_a_lump, the even ones: the band swells and
 /// shrinks;
 /// - slug: the even mode k = 1, against the odd modes and the even ones of k > 1: one lump;
-/// - clumps: an even mode of k > 1, against the odd modes, and no weaker than the even mode k = 1: several lumps.
-/// Nothing between the classes; so a single lump shorter than a quarter of the period is not told from several, since
-/// its even modes k = 1 and 2 differ by less than clear_factor (for a lump of the part f of the period by cos^2 pi f).
+/// - clumps: an even mode of k > 1, against the odd modes, that the even mode k = 1 exceeds by less than half of
+///   clear_factor's distance: several lumps, or a short one. The even modes k = 1 and 2 of one lump that takes the part
+///   f of the period have the ratio cos^2 pi f: it is a slug from f = 1/4 on, among the clumps up to f = 0.18.
+/// Nothing between the classes.
 std::optional<Structure> classify(const DensityContrast& contrast);
 
 std::string name_of(Structure structure);

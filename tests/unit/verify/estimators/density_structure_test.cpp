@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(what_lies_between_is_in_no_class) {
   BOOST_CHECK(!classify(contrast(1, 8, 5)));        // a band that winds and swells
   BOOST_CHECK(!classify(contrast(6, 1, 20)));       // a band that swells, and gathers a little
   BOOST_CHECK(!classify(contrast(1, 8, 1, 1, 5)));  // two humps as well
-  BOOST_CHECK(!classify(contrast(20, 1, 1, 15)));   // a short slug, or clumps
+  BOOST_CHECK(!classify(contrast(20, 1, 1, 12)));   // a short slug, or clumps
   BOOST_CHECK(!classify(contrast(10, 11, 1, 20)));  // clumps that wind
 }
 
