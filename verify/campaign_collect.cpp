@@ -6,7 +6,9 @@
 #include <map>
 
 #include "gpf/base/error.hpp"
+#include "gpf/io/atomic_file.hpp"
 #include "gpf/io/markdown.hpp"
+#include "gpf/io/snapshot.hpp"
 #include "verify/estimators/scene_values.hpp"
 
 namespace gpf {
@@ -25,6 +27,19 @@ void judge_labels(PointResult& result) {
   result.share = {most->second, result.labels.size()};
   result.confidence = proportion_interval(result.share, alpha);
   result.bistable = tally_of(result.labels).ends_with("bistable");
+}
+
+/// The finished runs of a point, as far as `most` of them.
+std::vector<Record> records_of(const CampaignPoint& point, const Manifest& manifest, const RecordStore& store,
+                               std::size_t most) {
+  std::vector<Record> records;
+  const std::string label = point.label + " #";
+  for (const ManifestEntry& entry : manifest) {
+    if (records.size() == most) break;
+    if (!entry.wanted || !entry.label.starts_with(label)) continue;
+    if (auto record = store.load(job_of(entry).file)) records.push_back(std::move(*record));
+  }
+  return records;
 }
 
 double over(const std::vector<double>& values) { return values.empty() ? NAN : over_replicas(values).mean; }
@@ -78,11 +93,7 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
     if (point.scene.run.density_modes == 0)
       throw InputError(fmt::format("the runs of '{}' measure no density modes", campaign.title),
                        "structures are told by them", "add density_modes = 8 to [run] and plan the campaign again");
-    std::vector<Record> records;
-    const std::string label = point.label + " #";
-    for (const ManifestEntry& entry : manifest)
-      if (entry.wanted && entry.label.starts_with(label))
-        if (auto record = store.load(job_of(entry).file)) records.push_back(std::move(*record));
+    const std::vector<Record> records = records_of(point, manifest, store, manifest.size());
     PointResult result;
     if (!records.empty()) {
       const SceneValues scene(point.label, records);
@@ -94,6 +105,25 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
     results.push_back(std::move(result));
   }
   return results;
+}
+
+std::string draw_snapshots(const Campaign& campaign, const Manifest& manifest, const RecordStore& store,
+                           const std::filesystem::path& folder) {
+  std::string page;
+  for (std::size_t p = 0; p < campaign.points.size(); ++p) {
+    const std::vector<Record> records = records_of(campaign.points[p], manifest, store, 1);
+    if (records.empty()) continue;
+    const Record& record = records.front();
+    const std::string name = name_of(classify(density_contrasts(SceneValues("", records)).front()));
+    std::filesystem::create_directories(folder);
+    const std::string file = fmt::format("{}.svg", p);
+    write_text_atomically(folder / file, snapshot_svg(record.scene, record.final_state,
+                                                      fmt::format("{}; t = {:.4g}; over the run: {}",
+                                                                  campaign.points[p].label, record.time, name)));
+    page += fmt::format("## {}\n\n{}\n\n![{}]({}/{})\n\n", campaign.points[p].label, name, name,
+                        folder.filename().string(), file);
+  }
+  return page;
 }
 
 std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<PointResult>& results) {

@@ -36,6 +36,11 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
 /// done elsewhere.
 std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<PointResult>& results);
 
+/// A picture of the last state of each point's first finished replica, into `folder`/<point>.svg, and a page that shows
+/// them under what each was called. Returns the page; empty when no run is done. Throws StorageError.
+std::string draw_snapshots(const Campaign& campaign, const Manifest& manifest, const RecordStore& store,
+                           const std::filesystem::path& folder);
+
 /// Markdown: what the axes are, one row a point.
 std::string phase_table(const Campaign& campaign, const std::vector<PointResult>& results);
 /// The same as CSV, one column for each axis.

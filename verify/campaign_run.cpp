@@ -177,6 +177,9 @@ std::filesystem::path collect_campaign(const CampaignFolder& folder) {
       campaign.title, open > 0 ? fmt::format("{} run(s) are missing.\n\n", open) : "",
       drawn ? "![Phase diagram](phase.svg)\n\n" : "", phase_table(campaign, results));
   write_text_atomically(folder.file("phase.md"), page);
+  if (const std::string pictures = draw_snapshots(campaign, manifest, store, folder.file("snapshots"));
+      !pictures.empty())
+    write_text_atomically(folder.file("snapshots.md"), fmt::format("# {}: snapshots\n\n{}", campaign.title, pictures));
   return folder.file("phase.md");
 }
 

@@ -30,7 +30,8 @@ int run_campaign(const CampaignFolder& folder, const CampaignRunOptions& options
 /// many.
 std::size_t print_missing(const CampaignFolder& folder, bool as_ranges);
 
-/// Writes phase.md, phase.csv and, for one or two axes, phase.svg. Returns the path of phase.md.
+/// Writes phase.md, phase.csv, snapshots.md with a picture of a state at each point, and, for one or two axes,
+/// phase.svg. Returns the path of phase.md.
 std::filesystem::path collect_campaign(const CampaignFolder& folder);
 
 /// Bytes that a run needs at most: disks, sums, and what a process needs without any (measured, see the source).

@@ -87,6 +87,7 @@ grep -q "40 run(s) missing" more.log || fail "it ran more than the new points"
 page=$("$gpf" campaign collect whole)
 [ "$page" = whole/phase.md ] && [ -s whole/phase.svg ] || fail "no phase diagram"
 [ "$(wc -l < whole/phase.csv)" -eq 31 ] || fail "a table of the wrong size"
+[ "$(find whole/snapshots -name '*.svg' | wc -l)" -eq 30 ] || fail "not a snapshot at each point"
 grep -q "plug" whole/phase.md || fail "no structures in the table"
 ok "new points only, and their diagram"
 
