@@ -32,7 +32,7 @@ void check_mirror(const SceneValues& scene, int bin, double visible, Evidence& e
 void plot_skewness(const std::vector<SceneValues>& scenes, double visible, const char* title, Evidence& evidence) {
   evidence.plot = {.title = title,
                    .xlabel = "y/W",
-                   .ylabel = "skewness of u_x (points) and of u_y (lines)",
+                   .ylabel = "skewness of u_x (points), u_y (lines)",
                    .xrange = {{0, 1}},
                    .series = {band_across(band_about(0, visible), "too small to be seen in P(u)")}};
   for (const SceneValues& scene : scenes) {

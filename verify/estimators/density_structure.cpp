@@ -8,6 +8,7 @@
 #include <map>
 
 #include "gpf/base/error.hpp"
+#include "gpf/base/vec2.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "gpf/stats/proportion.hpp"
 
@@ -23,18 +24,8 @@ InputError no_modes(const std::string& where) {
                     "add density_modes = 4 to the scene file and run it again");
 }
 
-double second_greatest(std::vector<double> contrasts) {
-  if (contrasts.size() < 2) return 0;
-  std::nth_element(contrasts.begin(), contrasts.begin() + 1, contrasts.end(), std::greater<>());
-  return contrasts[1];
-}
-
-/// Of all k > 1.
-double greatest_of_short(const std::vector<double>& contrasts) { return greatest(std::span(contrasts).subspan(1)); }
-
-}  // namespace
-
-DensityContrast density_contrast_between(const Record& record, double from, double to) {
+/// Sums of the blocks whose middle lies within from <= t < to.
+std::vector<double> sums_between(const Record& record, double from, double to) {
   const TallyLayout layout(record.run);
   if (layout.density_modes() == 0) throw no_modes("the record");
   const double block = (record.time - record.run.start_up) / static_cast<double>(record.blocks);
@@ -50,6 +41,23 @@ DensityContrast density_contrast_between(const Record& record, double from, doub
     throw InputError(fmt::format("nothing was measured from t = {} to {}", from, to),
                      fmt::format("the run measured from {} to {}", record.run.start_up, record.time),
                      "correct the claim's window, or the scene's start_up and duration");
+  return sums;
+}
+
+double second_greatest(std::vector<double> contrasts) {
+  if (contrasts.size() < 2) return 0;
+  std::nth_element(contrasts.begin(), contrasts.begin() + 1, contrasts.end(), std::greater<>());
+  return contrasts[1];
+}
+
+/// Of all k > 1.
+double greatest_of_short(const std::vector<double>& contrasts) { return greatest(std::span(contrasts).subspan(1)); }
+
+}  // namespace
+
+DensityContrast density_contrast_between(const Record& record, double from, double to) {
+  const TallyLayout layout(record.run);
+  const std::vector<double> sums = sums_between(record, from, to);
   const auto contrast = [&](Tally power, Tally noise) {
     std::vector<double> values;
     for (int k = 0; k < layout.density_modes(); ++k)
@@ -59,6 +67,17 @@ DensityContrast density_contrast_between(const Record& record, double from, doub
   using enum Tally;
   return {contrast(mode_even, mode_noise_even), contrast(mode_odd, mode_noise_odd),
           contrast(mode_varicose, mode_noise_varicose)};
+}
+
+double highest_peak_between(const Record& record, double from, double to) {
+  const TallyLayout layout(record.run);
+  const std::vector<double> sums = sums_between(record, from, to);
+  using enum Tally;
+  double highest = 0;
+  for (const Tally power : {mode_even, mode_odd, mode_varicose})
+    for (int k = 0; k < layout.density_modes(); ++k) highest = std::max(highest, sums[layout.at(power, k)]);
+  const double sampled = sums[layout.at(Tally::samples)];
+  return highest * sampled / (square(sums[layout.at(band_cos)]) + square(sums[layout.at(band_sin)]));
 }
 
 std::vector<DensityContrast> density_contrasts(const SceneValues& scene) {

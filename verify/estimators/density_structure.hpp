@@ -26,6 +26,9 @@ std::vector<DensityContrast> density_contrasts(const SceneValues& scene);
 /// The blocks of a run whose middle lies within from <= t < to, t counted from the start of the run. Throws InputError
 /// when there is none, or no density modes.
 DensityContrast density_contrast_between(const Record& record, double from, double to);
+/// The strongest of all modes in the same blocks, |a_k|^2 over |a|^2 of the plug, the size of the mean of
+/// exp(2 pi i (y - 1/2)): how high the highest peak along the channel is beside the plug's in a plot of the spectrum.
+double highest_peak_between(const Record& record, double from, double to);
 
 /// The power of a mode of many independent disks is distributed exponentially about its mean: 1 % of snapshots exceed
 /// ln 100 = 4.6 means. That is where one snapshot begins to show something. A mode of contrast C, with the same

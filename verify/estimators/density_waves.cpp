@@ -39,6 +39,27 @@ int rougher_side(const Scene& scene) {
   return beta[upper] < beta[lower] ? 1 : beta[upper] > beta[lower] ? -1 : 0;
 }
 
+/// Where the walls differ: the shift of the band toward the rougher wall (`toward` 1) or the smoother one (-1), and
+/// that the wall to which it should go is the colder one.
+void check_shift(const SceneValues& scene, double toward, Evidence& evidence) {
+  const int rougher = rougher_side(scene.scene());
+  if (rougher == 0 || toward == 0) return;
+  const double side = rougher * toward;
+  const char* wall = toward > 0 ? "rougher" : "smoother";
+  const auto signed_by = [&](std::vector<double> values) {
+    for (double& value : values) value *= side;
+    return values;
+  };
+  evidence.checks.push_back({.label = fmt::format("{}: shift of the band toward the {} wall, in W", scene.name(), wall),
+                             .values = signed_by(scene.of("band_shift")),
+                             .band = {0, INFINITY}});
+  evidence.checks.push_back(
+      {.label = fmt::format("{}: T at the other wall less that at the {} one, in m g W", scene.name(), wall),
+       .values = signed_by(
+           difference(scene.of("granular_temperature", 0), scene.of("granular_temperature", scene.bins() - 1))),
+       .band = {0, INFINITY}});
+}
+
 std::vector<std::optional<Structure>> labels_in(const SceneValues& scene, const Window& window) {
   std::vector<std::optional<Structure>> labels;
   for (const Record& record : scene.records())
@@ -151,8 +172,9 @@ Evidence estimate_structure_classes(const Claim& claim, Tier, const SceneRecords
 }
 
 // Claims waves.*: in the window of time from `late_from` on (0 where it is not given) more than half of the replicas of
-// each scene have the structure that [structures] states; from `early_from` to `early_to`, where given, they are plugs.
-// Where the walls differ the band lies nearer to the rougher one.
+// each scene have the structure that [structures] states; from `early_from` to `early_to`, where given, no mode is
+// `seen` beside the plug's peak. Where the walls differ and `toward_rougher` is 1 (-1) the band lies nearer to the
+// rougher (smoother) one, and that is the colder.
 Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& records) {
   const auto parameter = [&](const char* name, double otherwise) {
     return claim.parameters.contains(name) ? claim.parameter(name) : otherwise;
@@ -171,15 +193,14 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
     if (stated == claim.structures.end())
       throw InputError(fmt::format("claim {} does not state the structure of '{}'", claim.id, name),
                        "every scene of a waves claim has one", fmt::format("add \"{}\" to [structures]", name));
-    if (early.to > early.from) check_class(scene, early, std::vector<std::string>{name_of(Structure::plug)}, evidence);
+    if (early.to > early.from)
+      evidence.checks.push_back(
+          {.label = fmt::format("{}, {}: highest peak along the channel over the plug's", name, early.text()),
+           .values = per_replica(replicas.size(),
+                                 [&](auto r) { return highest_peak_between(replicas[r], early.from, early.to); }),
+           .band = {0, claim.parameter("seen")}});
     check_class(scene, late, words_of(stated->second), evidence);
-    if (const int side = rougher_side(scene.scene()); side != 0) {
-      std::vector<double> shift = scene.of("band_shift");
-      for (double& value : shift) value *= side;
-      evidence.checks.push_back({.label = fmt::format("{}: shift of the band toward the rougher wall, in W", name),
-                                 .values = std::move(shift),
-                                 .band = {0, INFINITY}});
-    }
+    check_shift(scene, parameter("toward_rougher", 0), evidence);
     draw(scene, evidence.plot);
   }
   return evidence;

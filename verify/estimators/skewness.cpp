@@ -99,7 +99,7 @@ Evidence estimate_skewness_elastic(const Claim&, Tier, const SceneRecords& recor
     line.yerr.clear();
     evidence.plot.series.push_back(std::move(line));
   }
-  evidence.plot.ylabel = "skewness of u_x (points) and u_y (lines)";
+  evidence.plot.ylabel = "skewness of u_x (points), u_y (lines)";
   add_notes(scenes, evidence);
   return evidence;
 }

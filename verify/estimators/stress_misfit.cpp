@@ -57,7 +57,7 @@ Evidence estimate_stress_misfit(const Claim& claim, Tier, const SceneRecords& re
   Evidence evidence;
   evidence.plot = {.title = "Misfit of Jenkins-Richman's shear stress",
                    .xlabel = "mean area fraction",
-                   .ylabel = "rms over the channel, of a wall's stress at the largest nu"};
+                   .ylabel = "rms misfit, of a wall's stress at the largest nu"};
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -50,7 +50,7 @@ Claim claim(const std::string& stated, double early_to, double late_from) {
   Claim c;
   c.id = "waves.example";
   c.structures["scene"] = stated;
-  c.parameters = {{"early_from", 0.0}, {"early_to", early_to}, {"late_from", late_from}};
+  c.parameters = {{"early_from", 0.0}, {"early_to", early_to}, {"late_from", late_from}, {"seen", 3.0}};
   return c;
 }
 
@@ -74,6 +74,9 @@ BOOST_AUTO_TEST_CASE(a_window_has_its_own_contrast) {
   BOOST_TEST(density_contrast_between(r, 12, INFINITY).odd[0] == 40.0);
   BOOST_TEST(density_contrast_between(r, 11, 13).odd[0] == 20.5);
   BOOST_TEST(density_contrast_between(r, 12, INFINITY).odd[1] == 1.0);
+  // The band's coefficient is 1/2, modes have 1/2 before and 20 after.
+  BOOST_TEST(highest_peak_between(r, 4, 12) == 2.0);
+  BOOST_TEST(highest_peak_between(r, 12, INFINITY) == 80.0);
   BOOST_CHECK_THROW(density_contrast_between(r, 0, 4), InputError);
 }
 
@@ -81,24 +84,30 @@ BOOST_AUTO_TEST_CASE(each_window_is_judged_by_the_structure_that_is_stated) {
   const SceneRecords waves = records("0.6", Tally::mode_odd, 0), slugs = records("0.6", Tally::mode_even, 0);
   const Evidence right = estimate_density_waves(claim("wave", 8, 8), Tier::standard, waves);
   BOOST_REQUIRE(right.checks.size() == 2U);  // walls alike: no shift
-  BOOST_TEST(means(right) == (std::vector<double>{1, 1}), boost::test_tools::per_element());
-  for (const Check& check : right.checks) BOOST_TEST(check.share);
-  BOOST_TEST(means(estimate_density_waves(claim("wave", 8, 8), Tier::standard, slugs)) == (std::vector<double>{1, 0}),
+  BOOST_TEST(means(right) == (std::vector<double>{2, 1}), boost::test_tools::per_element());
+  BOOST_TEST(right.checks[0].band.contains(2.0));
+  BOOST_TEST(right.checks[1].share);
+  BOOST_TEST(means(estimate_density_waves(claim("wave", 8, 8), Tier::standard, slugs)) == (std::vector<double>{2, 0}),
              boost::test_tools::per_element());
-  BOOST_TEST(means(estimate_density_waves(claim("wave", 16, 8), Tier::standard, waves)) == (std::vector<double>{0, 1}),
-             boost::test_tools::per_element());
+  const Evidence late = estimate_density_waves(claim("wave", 16, 8), Tier::standard, waves);
+  BOOST_TEST(!late.checks[0].band.contains(means(late)[0]));  // the wave is there before the plug's window ends
   BOOST_TEST(
       means(estimate_density_waves(claim("clumps or slug", 0, 8), Tier::standard, slugs)) == (std::vector<double>{1}),
       boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(the_shift_counts_toward_the_rougher_wall) {
-  const auto shift = [](const std::string& walls, double up) {
-    return means(estimate_density_waves(claim("wave", 0, 8), Tier::standard, records(walls, Tally::mode_odd, up)))
-        .back();
+BOOST_AUTO_TEST_CASE(the_shift_counts_toward_the_wall_that_is_named_if_that_is_the_colder_one) {
+  const auto checks = [](const std::string& walls, double up, double toward) {
+    Claim c = claim("wave", 0, 8);
+    c.parameters["toward_rougher"] = toward;
+    return means(estimate_density_waves(c, Tier::standard, records(walls, Tally::mode_odd, up)));
   };
-  BOOST_TEST(std::abs(shift("[0.1, 0.9]", -0.1) - 0.1) < 1e-12);
-  BOOST_TEST(std::abs(shift("[0.9, 0.1]", -0.1) + 0.1) < 1e-12);
+  BOOST_TEST(std::abs(checks("[0.1, 0.9]", -0.1, 1)[1] - 0.1) < 1e-12);
+  BOOST_TEST(std::abs(checks("[0.9, 0.1]", -0.1, 1)[1] + 0.1) < 1e-12);
+  BOOST_TEST(std::abs(checks("[0.9, 0.1]", -0.1, -1)[1] - 0.1) < 1e-12);
+  BOOST_TEST(std::abs(checks("[0.1, 0.9]", 0, 1)[2]) < 1e-12);  // bins are alike here
+  BOOST_TEST(checks("[0.5, 0.5]", -0.1, 1).size() == 1U);
+  BOOST_TEST(checks("[0.1, 0.9]", -0.1, 0).size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(a_claim_and_its_scenes_must_agree) {
