@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
+#include "gpf/io/record.hpp"
 #include "gpf/scene/nearest_word.hpp"
 #include "verify/toml_fields.hpp"
 
@@ -17,22 +19,32 @@ namespace {
 constexpr std::array<std::string_view, 6> campaign_keys{"title", "replicas", "most_replicas", "axes", "scene", "run"};
 constexpr std::int64_t most_replicas_of_a_point = 1000;
 
+InputError no_value() {
+  return {"a date or a table as a value of a scene", "no key of a scene has one", "see gpf run --help for the keys"};
+}
+
 std::string text_of(const TomlValue& value) {
   struct Text {
-    std::string operator()(const TomlDate&) const { return "''"; }  // refused by parse_scene
+    std::string operator()(const TomlDate&) const { throw no_value(); }
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t n) const { return std::to_string(n); }
     std::string operator()(double x) const {
       const std::string digits = fmt::format("{}", x);
       return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
     }
-    std::string operator()(const std::string& s) const { return '"' + s + '"'; }
+    std::string operator()(const std::string& s) const {
+      if (s.find_first_of("\"\\") != std::string::npos ||
+          std::any_of(s.begin(), s.end(), [](unsigned char c) { return c < 0x20; }))
+        throw InputError(gpf::quoted(s) + " is no word of a scene", "it has quotation marks or control characters",
+                         "see gpf run --help for the keys");
+      return '"' + s + '"';
+    }
     std::string operator()(const TomlArray& values) const {
       std::vector<std::string> texts;
       for (const TomlValue& v : values) texts.push_back(text_of(v));
       return fmt::format("[{}]", fmt::join(texts, ", "));
     }
-    std::string operator()(const TomlTable&) const { return "''"; }
+    std::string operator()(const TomlTable&) const { throw no_value(); }
   };
   return std::visit(Text{}, value.data);
 }
@@ -84,7 +96,7 @@ std::vector<CampaignAxis> axes_of(const TomlFields& table) {
 /// The scene file of a point.
 std::string scene_text(const TomlFields& file, const TomlFields& axes_table, const Campaign& campaign,
                        const std::vector<std::size_t>& place) {
-  std::string text = "# " + campaign.title + "\n";
+  std::string text;
   for (const std::string_view table : {"scene", "run"}) {
     text += fmt::format("[{}]\n", table);
     for (std::size_t a = 0; a < campaign.axes.size(); ++a)
@@ -142,6 +154,7 @@ Campaign parse_campaign(std::string_view text, const std::string& name) {
       throw axes.error(axis.key, fmt::format("the axes have more than {} combinations", most_campaign_points),
                        "a point is at least one run", "shorten an axis, or make several campaigns");
   }
+  std::map<std::string, std::string> scenes;
   for (std::size_t p = 0; p < points; ++p) {
     CampaignPoint point;
     point.place.resize(campaign.axes.size());
@@ -153,7 +166,16 @@ Campaign parse_campaign(std::string_view text, const std::string& name) {
     for (std::size_t a = 0; a < campaign.axes.size(); ++a)
       point.label +=
           fmt::format("{}{} = {}", a == 0 ? "" : ", ", campaign.axes[a].key, campaign.axes[a].texts[point.place[a]]);
-    point.scene = parse_scene(scene_text(file, axes, campaign, point.place), fmt::format("{} ({})", name, point.label));
+    point.scene = parse_scene(scene_text(file, axes, campaign, point.place),
+                              fmt::format("{}, the scene of {}", name, point.label));
+    if (point.scene.run.density_modes == 0)
+      throw file.error("run", "the runs measure no density modes", "structures are told by them",
+                       "add density_modes = 8 to [run]");
+    const std::string canonical = canonical_text(point.scene.scene, point.scene.run);
+    if (const auto [same, is_new] = scenes.emplace(canonical, point.label); !is_new)
+      throw axes.error(campaign.axes.front().key,
+                       fmt::format("'{}' and '{}' are the same scene", same->second, point.label),
+                       "it would be one run under two names", "remove one of the values");
     campaign.points.push_back(std::move(point));
   }
   return campaign;

@@ -44,8 +44,9 @@ inline constexpr std::size_t most_campaign_points = 10000;
 ///   [axes]                 a list of values for each varied key of [scene] or [run]
 ///   [scene], [run]         as in a scene file, without the varied keys
 /// Throws InputError, with file and line, for unknown or missing keys, an axis without values or with one twice, a key
-/// that is both varied and fixed, more than most_campaign_points points, and whatever parse_scene refuses, with the
-/// point's label.
+/// that is both varied and fixed, more than most_campaign_points points, and whatever parse_scene refuses (lines
+/// counted in the scene of the point, which the message names), two points of the same scene, and a [run] without
+/// density_modes.
 Campaign parse_campaign(std::string_view text, const std::string& name);
 /// parse_campaign of a file. Throws StorageError when it cannot be read.
 Campaign load_campaign(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
@@ -23,7 +24,9 @@ void judge_labels(PointResult& result) {
   for (const auto& label : result.labels) ++count[label];
   const auto most =
       std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  result.structure = most->first;
+  const auto as_many =
+      std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second == most->second; });
+  result.structure = as_many == 1 ? most->first : std::nullopt;
   result.share = {most->second, result.labels.size()};
   result.confidence = proportion_interval(result.share, alpha);
   result.bistable = tally_of(result.labels).ends_with("bistable");
@@ -50,6 +53,7 @@ std::vector<std::string> row_of(const Campaign& campaign, std::size_t point, con
     row.push_back(campaign.axes[a].texts[campaign.points[point].place[a]]);
   row.push_back(fmt::format("{}", campaign.points[point].scene.scene.particles));
   row.push_back(result.name());
+  if (result.labels.empty()) return row;  // the other cells stay empty
   row.push_back(fmt::format("{}/{}", result.share.hits, result.labels.size()));
   row.push_back(fmt::format("{:.2f} to {:.2f}", result.confidence.lo, result.confidence.hi));
   row.push_back(tally_of(result.labels));
@@ -65,6 +69,18 @@ std::vector<std::string> header_of(const Campaign& campaign) {
        {"N", "structure", "replicas", "share, 95 % on either side", "all", "band shift, W", "mean flow"})
     header.emplace_back(name);
   return header;
+}
+
+struct DrawnAxis {
+  std::string label;
+  std::vector<double> numbers;
+};
+
+DrawnAxis drawn(const CampaignAxis& axis) {
+  if (std::set(axis.numbers.begin(), axis.numbers.end()).size() == axis.numbers.size()) return {axis.key, axis.numbers};
+  DrawnAxis order{fmt::format("{}: {}", axis.key, fmt::join(axis.texts, ", ")), {}};
+  for (std::size_t k = 0; k < axis.texts.size(); ++k) order.numbers.push_back(static_cast<double>(k + 1));
+  return order;
 }
 
 std::string csv_cell(const std::string& text) {
@@ -90,9 +106,6 @@ std::string PointResult::name() const {
 std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manifest, const RecordStore& store) {
   std::vector<PointResult> results;
   for (const CampaignPoint& point : campaign.points) {
-    if (point.scene.run.density_modes == 0)
-      throw InputError(fmt::format("the runs of '{}' measure no density modes", campaign.title),
-                       "structures are told by them", "add density_modes = 8 to [run] and plan the campaign again");
     const std::vector<Record> records = records_of(point, manifest, store, manifest.size());
     PointResult result;
     if (!records.empty()) {
@@ -110,12 +123,14 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
 std::string draw_snapshots(const Campaign& campaign, const Manifest& manifest, const RecordStore& store,
                            const std::filesystem::path& folder) {
   std::string page;
+  std::error_code none_there;
+  std::filesystem::remove_all(folder, none_there);
   for (std::size_t p = 0; p < campaign.points.size(); ++p) {
     const std::vector<Record> records = records_of(campaign.points[p], manifest, store, 1);
     if (records.empty()) continue;
     const Record& record = records.front();
     const std::string name = name_of(classify(density_contrasts(SceneValues("", records)).front()));
-    std::filesystem::create_directories(folder);
+    std::filesystem::create_directories(folder, none_there);  // what follows tells when it is not
     const std::string file = fmt::format("{}.svg", p);
     write_text_atomically(folder / file, snapshot_svg(record.scene, record.final_state,
                                                       fmt::format("{}; t = {:.4g}; over the run: {}",
@@ -147,7 +162,11 @@ std::string phase_table(const Campaign& campaign, const std::vector<PointResult>
 
 std::string phase_csv(const Campaign& campaign, const std::vector<PointResult>& results) {
   std::string text = csv_line(header_of(campaign));
-  for (std::size_t p = 0; p < results.size(); ++p) text += csv_line(row_of(campaign, p, results[p]));
+  for (std::size_t p = 0; p < results.size(); ++p) {
+    std::vector<std::string> row = row_of(campaign, p, results[p]);
+    row.resize(header_of(campaign).size());
+    text += csv_line(std::move(row));
+  }
   return text;
 }
 
@@ -155,9 +174,9 @@ Plot phase_diagram(const Campaign& campaign, const std::vector<PointResult>& res
   if (campaign.axes.size() > 2)
     throw InputError(fmt::format("'{}' has {} axes", campaign.title, campaign.axes.size()), "a diagram has two",
                      "read the table, or plan campaigns of two axes");
-  const CampaignAxis& across = campaign.axes.front();
-  const CampaignAxis* up = campaign.axes.size() == 2 ? &campaign.axes.back() : nullptr;
-  Plot plot{.title = campaign.title, .xlabel = across.key, .ylabel = up != nullptr ? up->key : ""};
+  const DrawnAxis across = drawn(campaign.axes.front());
+  const DrawnAxis up = campaign.axes.size() == 2 ? drawn(campaign.axes.back()) : DrawnAxis{"", {0}};
+  Plot plot{.title = campaign.title, .xlabel = across.label, .ylabel = up.label};
   std::map<std::string, Series> by_name;
   std::vector<double> xs, ys;
   for (std::size_t p = 0; p < results.size(); ++p) {
@@ -165,7 +184,7 @@ Plot phase_diagram(const Campaign& campaign, const std::vector<PointResult>& res
     Series& series = by_name[results[p].name()];
     series.label = results[p].name();
     series.x.push_back(across.numbers[place[0]]);
-    series.y.push_back(up != nullptr ? up->numbers[place[1]] : 0);
+    series.y.push_back(up.numbers[campaign.axes.size() == 2 ? place[1] : 0]);
     xs.push_back(series.x.back());
     ys.push_back(series.y.back());
   }

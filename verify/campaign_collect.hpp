@@ -14,9 +14,12 @@
 
 namespace gpf {
 
+/// All of so many replicas alike: 0.05^(1/5) = .55 of all replicas at least, at 95 %; of four it is .47.
+inline constexpr int fewest_decisive_replicas = 5;
+
 struct PointResult {
   std::vector<std::optional<Structure>> labels;  ///< one for each finished replica
-  std::optional<Structure> structure;            ///< of most replicas; nothing: between the classes, or no run
+  std::optional<Structure> structure;            ///< of most replicas; nothing: between the classes, a tie, or no run
   Share share;                                   ///< of the replicas that have it
   Interval confidence{0, 1};                     ///< of that share among all replicas, 95 % on either side
   bool bistable = false;                         ///< two classes are each more than rare
@@ -28,7 +31,7 @@ struct PointResult {
   [[nodiscard]] std::string name() const;
 };
 
-/// One for each point of the campaign. Throws InputError when its [run] measures no density modes.
+/// One for each point of the campaign.
 std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manifest, const RecordStore& store);
 
 /// Replicas that each point should have so that the boundaries between structures are known: twice as many as are done,
@@ -36,8 +39,8 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
 /// done elsewhere.
 std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<PointResult>& results);
 
-/// A picture of the last state of each point's first finished replica, into `folder`/<point>.svg, and a page that shows
-/// them under what each was called. Returns the page; empty when no run is done. Throws StorageError.
+/// Anew: a picture of the last state of each point's first finished replica, into `folder`/<point>.svg, and a page that
+/// shows them under what each was called. Returns the page; empty when no run is done. Throws StorageError.
 std::string draw_snapshots(const Campaign& campaign, const Manifest& manifest, const RecordStore& store,
                            const std::filesystem::path& folder);
 
@@ -45,7 +48,8 @@ std::string draw_snapshots(const Campaign& campaign, const Manifest& manifest, c
 std::string phase_table(const Campaign& campaign, const std::vector<PointResult>& results);
 /// The same as CSV, one column for each axis.
 std::string phase_csv(const Campaign& campaign, const std::vector<PointResult>& results);
-/// The structures in the plane of the first two axes (of one axis: over it). Throws InputError for more than two axes.
+/// The structures in the plane of the first two axes (of one axis: over it); an axis whose numbers
+/// do not tell its values apart is drawn by their order. Throws InputError for more than two axes.
 Plot phase_diagram(const Campaign& campaign, const std::vector<PointResult>& results);
 
 }  // namespace gpf

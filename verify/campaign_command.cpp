@@ -92,7 +92,7 @@ void add_missing(CLI::App& campaign, int& status) {
 void add_collect(CLI::App& campaign, int& status) {
   auto place = std::make_shared<CampaignFolder>();
   CLI::App* command = campaign.add_subcommand(
-      "collect", "Write the phase diagram of the runs that are done: phase.md, phase.csv, phase.svg");
+      "collect", "Write the phase diagram of the runs that are done: phase.md, phase.csv, phase.svg, snapshots.md");
   add_folder(*command, place->folder);
   command->callback([place, &status] {
     fmt::print("{}\n", collect_campaign(*place).string());

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "gpf/base/error.hpp"
@@ -54,18 +55,30 @@ Manifest load_manifest(const CampaignFolder& folder) {
                      "plan one: gpf campaign plan CAMPAIGN.toml -o " + folder.folder.string());
   std::istringstream text(read_text(path));
   Manifest manifest;
+  std::optional<std::size_t> stated;
+  const auto damaged = [&](std::size_t line, std::string why) {
+    return InputError(fmt::format("{}:{}: not an entry of a manifest", path.string(), line), std::move(why),
+                      "plan the campaign again: finished runs are found");
+  };
   for (std::string line; std::getline(text, line);) {
     try {
       const auto json = nlohmann::json::parse(line);
+      if (json.contains("entries")) {
+        stated = json.at("entries").get<std::size_t>();
+        continue;
+      }
       manifest.push_back({json.at("index"), json.at("replica"), json.at("record"), json.at("label"), json.at("scene"),
                           json.at("wanted")});
     } catch (const nlohmann::json::exception&) {
-      manifest.push_back({manifest.size() + 1, 0, {}, {}, {}, false});
+      throw damaged(manifest.size() + 1, "the line is no entry");
     }
-    if (manifest.back().index != manifest.size() - 1)
-      throw InputError(fmt::format("{}:{}: not an entry of a manifest", path.string(), manifest.size()),
-                       "the file is damaged or was edited", "plan the campaign again: finished runs are found");
+    const ManifestEntry& entry = manifest.back();
+    if (entry.index != manifest.size() - 1) throw damaged(manifest.size(), "its number is out of order");
+    const SceneFile file = job_of(entry).file;
+    if (record_name(file.scene, file.run) != entry.record)
+      throw damaged(manifest.size(), "its scene and its record are not of the same run");
   }
+  if (stated != manifest.size()) throw damaged(manifest.size() + 1, "the end of the file is missing");
   return manifest;
 }
 
@@ -76,6 +89,7 @@ void write_manifest(const Manifest& manifest, const CampaignFolder& folder) {
                            {"label", e.label}, {"scene", e.scene},     {"wanted", e.wanted}}
                 .dump() +
             "\n";
+  text += nlohmann::json{{"entries", manifest.size()}}.dump() + "\n";
   write_text_atomically(folder.file("manifest.jsonl"), text);
 }
 
@@ -118,9 +132,11 @@ std::string slurm_script(const CampaignFolder& folder, const std::filesystem::pa
 #SBATCH --signal=B:USR1@60
 
 # The run writes a checkpoint when it is told to stop and ends with status 75; requeued, the task goes on from there.
+run=
+trap '[ -z "$run" ] || kill -USR1 "$run"; told=yes' USR1 TERM
 {} campaign run {} --task "$SLURM_ARRAY_TASK_ID" &
 run=$!
-trap 'kill -USR1 "$run"' USR1 TERM
+[ -z "${{told:-}}" ] || kill -USR1 "$run"
 wait "$run"; status=$?
 while kill -0 "$run" 2> /dev/null; do wait "$run"; status=$?; done
 if [ "$status" -eq 75 ]; then scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}"; fi

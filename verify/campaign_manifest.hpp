@@ -34,7 +34,8 @@ using Manifest = std::vector<ManifestEntry>;  ///< by index, without gaps
 /// more are kept as not wanted; new ones get the numbers that follow.
 Manifest plan(const Campaign& campaign, const std::vector<int>& replicas, const Manifest& before);
 
-/// One JSON object a line. Throws InputError when a line is not one of these, or an index is out of order.
+/// One JSON object a line, and their number in the last. Throws InputError when a line is not one of these, an index is
+/// out of order, a scene is not that of its record, or lines are missing.
 Manifest load_manifest(const CampaignFolder& folder);
 /// Atomically. Throws StorageError.
 void write_manifest(const Manifest& manifest, const CampaignFolder& folder);

@@ -10,6 +10,7 @@
 #include "gpf/measure/block_series.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "verify/campaign_collect.hpp"
+#include "verify/file_lock.hpp"
 
 namespace gpf {
 namespace {
@@ -17,6 +18,45 @@ namespace {
 RecordStore store_of(const CampaignFolder& folder) {
   return {folder.file("records"), Trust::same_version,
           [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }};
+}
+
+/// Throws StorageError when it cannot be made.
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path))
+    throw StorageError(fmt::format("cannot make the folder '{}'", path.string()),
+                       error ? error.message() : "there is a file of that name",
+                       "choose another place for the campaign");
+}
+
+/// Whoever changes the manifest holds this from reading it until it is written.
+FileLock lock_of(const CampaignFolder& folder, const volatile std::sig_atomic_t* stop = nullptr) {
+  auto lock = FileLock::wait(folder.file("manifest.lock"), stop);
+  if (!lock) throw StorageError("the manifest is in use", "a signal came before it was free", "try again");
+  return std::move(*lock);
+}
+
+std::ptrdiff_t wanted_in(const Manifest& manifest) {
+  return std::count_if(manifest.begin(), manifest.end(), [](const ManifestEntry& e) { return e.wanted; });
+}
+
+/// The manifest to plan on; a damaged one is put aside.
+Manifest manifest_before(const CampaignFolder& folder) {
+  const std::filesystem::path path = folder.file("manifest.jsonl");
+  if (!std::filesystem::exists(path)) return {};
+  try {
+    return load_manifest(folder);
+  } catch (const InputError& error) {
+    std::filesystem::path aside = path;
+    aside += ".damaged";
+    std::filesystem::rename(path, aside);
+    fmt::print(stderr,
+               "gpf: {}\ngpf: it is now '{}'; numbers start anew, and replicas that --adaptive added are no longer "
+               "planned; finished runs are found\n",
+               error.what(), aside.string());
+    return {};
+  }
 }
 
 std::filesystem::path failure_file(const CampaignFolder& folder, std::size_t index) {
@@ -60,10 +100,11 @@ bool do_entries(const CampaignFolder& folder, const RecordStore& store, std::vec
     const auto failed = std::find_if(result.failures.begin(), result.failures.end(),
                                      [&](const RunFailure& f) { return f.label == entry.label; });
     if (failed == result.failures.end()) {
-      std::filesystem::remove(failure_file(folder, entry.index));
+      std::error_code none_there;
+      if (store.load(job_of(entry).file)) std::filesystem::remove(failure_file(folder, entry.index), none_there);
       continue;
     }
-    std::filesystem::create_directories(folder.file("failed"));
+    make_folder(folder.file("failed"));
     write_text_atomically(failure_file(folder, entry.index), failed->what + "\n");
   }
   failures.insert(failures.end(), result.failures.begin(), result.failures.end());
@@ -71,16 +112,14 @@ bool do_entries(const CampaignFolder& folder, const RecordStore& store, std::vec
 }
 
 /// Adds replicas where they are wanted; false when nothing is.
-bool refine(const CampaignFolder& folder, const RecordStore& store, Manifest& manifest) {
+bool refine(const CampaignFolder& folder, const RecordStore& store, const volatile std::sig_atomic_t* stop) {
+  const FileLock lock = lock_of(folder, stop);
+  const Manifest manifest = load_manifest(folder);
   const Campaign campaign = load_campaign(folder.file("campaign.toml"));
-  Manifest refined = plan(campaign, refined_replicas(campaign, collect(campaign, manifest, store)), manifest);
-  const auto wanted = [](const Manifest& m) {
-    return std::count_if(m.begin(), m.end(), [](const ManifestEntry& e) { return e.wanted; });
-  };
-  const auto more = wanted(refined) - wanted(manifest);
+  const Manifest refined = plan(campaign, refined_replicas(campaign, collect(campaign, manifest, store)), manifest);
+  const auto more = wanted_in(refined) - wanted_in(manifest);
   if (more <= 0) return false;
-  manifest = std::move(refined);
-  write_manifest(manifest, folder);
+  write_manifest(refined, folder);
   fmt::print(stderr, "{} more run(s) where structures are undecided or differ between neighbours\n", more);
   return true;
 }
@@ -97,16 +136,21 @@ std::uint64_t memory_of_run(const SceneFile& file) {
 void plan_campaign(const std::filesystem::path& file, const CampaignFolder& folder,
                    const std::filesystem::path& program) {
   const Campaign campaign = load_campaign(file);
-  std::filesystem::create_directories(folder.folder);
-  Manifest before;
-  if (std::filesystem::exists(folder.file("manifest.jsonl"))) before = load_manifest(folder);
+  const std::string name = folder.folder.string();
+  if (name.empty() || std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; }))
+    throw InputError("a campaign's folder has no name, or a line break in it", "it is written into a batch script",
+                     "choose another name for --output");
+  make_folder(folder.folder);
+  const FileLock lock = lock_of(folder);
+  const Manifest before = manifest_before(folder);
   // Replicas that --adaptive added stay.
   std::vector<int> replicas;
-  for (const CampaignPoint& point : campaign.points)
-    replicas.push_back(
-        std::max(campaign.replicas, static_cast<int>(std::count_if(before.begin(), before.end(), [&](const auto& e) {
-                   return e.wanted && e.label.starts_with(point.label + " #");
-                 }))));
+  for (const CampaignPoint& point : campaign.points) {
+    const auto planned = std::count_if(before.begin(), before.end(), [&](const auto& e) {
+      return e.wanted && e.label.starts_with(point.label + " #");
+    });
+    replicas.push_back(std::clamp(static_cast<int>(planned), campaign.replicas, campaign.most_replicas));
+  }
   const Manifest manifest = plan(campaign, replicas, before);
   write_text_atomically(folder.file("campaign.toml"), campaign.text);
   write_text_atomically(folder.file("job.slurm"), slurm_script(folder, program, campaign.title));
@@ -114,8 +158,15 @@ void plan_campaign(const std::filesystem::path& file, const CampaignFolder& fold
   double collisions = 0;
   const std::vector<ManifestEntry> open = missing(manifest, store_of(folder));
   for (const ManifestEntry& entry : open) collisions += expected_collisions(job_of(entry).file);
-  fmt::print("{}: {} point(s), {} run(s), {} missing, roughly {:.2g} collisions\n{}\n", campaign.title,
-             campaign.points.size(), manifest.size(), open.size(), collisions, folder.file("manifest.jsonl").string());
+  fmt::print("{}: {} point(s), {} run(s), {} missing, roughly {:.2g} collisions\n", campaign.title,
+             campaign.points.size(), wanted_in(manifest), open.size(), collisions);
+  if (const auto dropped =
+          wanted_in(before) + static_cast<std::ptrdiff_t>(manifest.size() - before.size()) - wanted_in(manifest);
+      dropped > 0)
+    fmt::print("{} run(s) of the plan before are no longer wanted; their records stay\n", dropped);
+  if (campaign.most_replicas < fewest_decisive_replicas)
+    fmt::print("with fewer than {} replicas no structure is sure at 95 %\n", fewest_decisive_replicas);
+  fmt::print("{}\n", folder.file("manifest.jsonl").string());
 }
 
 int run_campaign(const CampaignFolder& folder, const CampaignRunOptions& options) {
@@ -127,15 +178,19 @@ int run_campaign(const CampaignFolder& folder, const CampaignRunOptions& options
     if (*options.task >= manifest.size())
       throw InputError(fmt::format("no entry {} in the manifest", *options.task),
                        fmt::format("it has {}, counted from 0", manifest.size()), "see gpf campaign missing");
-    stopped = do_entries(folder, store, {manifest[*options.task]}, options, failures);
+    const ManifestEntry& entry = manifest[*options.task];
+    if (entry.wanted)
+      stopped = do_entries(folder, store, {entry}, options, failures);
+    else
+      fmt::print(stderr, "entry {}, {}, is no longer wanted: nothing to do\n", entry.index, entry.label);
   } else {
-    do {
-      const std::vector<ManifestEntry> open = missing(manifest, store);
-      if (!open.empty()) {
-        fmt::print(stderr, "{} run(s) missing, {} at a time\n", open.size(), options.jobs);
-        stopped = do_entries(folder, store, open, options, failures);
-      }
-    } while (options.adaptive && !stopped && failures.empty() && refine(folder, store, manifest));
+    while (!stopped && failures.empty()) {
+      const std::vector<ManifestEntry> open = missing(load_manifest(folder), store);
+      if (open.empty() && !(options.adaptive && refine(folder, store, options.stop))) break;
+      if (open.empty()) continue;
+      fmt::print(stderr, "{} run(s) missing\n", open.size());
+      stopped = do_entries(folder, store, open, options, failures);
+    }
   }
   for (const RunFailure& failure : failures) fmt::print(stderr, "gpf: run {}: {}\n", failure.label, failure.what);
   if (!failures.empty()) return static_cast<int>(failures.front().status);

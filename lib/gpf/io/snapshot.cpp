@@ -11,6 +11,7 @@ namespace gpf {
 namespace {
 
 constexpr int most_kx = 8, most_ky = 4;
+constexpr int most_cells = 1024;    // more add nothing to wavenumbers as low as these
 constexpr double decades = 4;       // of power over the noise, from white to black
 constexpr double longest = 900;     // pixels along the channel
 constexpr double tallest = 400;     // pixels across it
@@ -25,7 +26,7 @@ std::string escaped(const std::string& text) {
 
 std::string spectrum_squares(const Scene& scene, const State& state, double top) {
   // Cells of about a diameter: finer ones add nothing to wavenumbers as low as these.
-  const auto cells = [](double diameters) { return std::max(4 * most_kx, static_cast<int>(diameters)); };
+  const auto cells = [](double diameters) { return std::clamp(static_cast<int>(diameters), 4 * most_kx, most_cells); };
   const DensitySpectrum spectrum(density_field(scene, state, cells(scene.length_over_width * scene.width_over_diameter),
                                                cells(scene.width_over_diameter)));
   const double noise = noise_of_spectrum(scene);
