@@ -131,15 +131,19 @@ std::string slurm_script(const CampaignFolder& folder, const std::filesystem::pa
 #SBATCH --open-mode=append
 #SBATCH --signal=B:USR1@60
 
-# The run writes a checkpoint when it is told to stop and ends with status 75; requeued, the task goes on from there.
-run=
-trap '[ -z "$run" ] || kill -USR1 "$run"; told=yes' USR1 TERM
+# Before its time is up, or when it is to make room, the task gets USR1: the run writes a checkpoint and ends with status
+# 75, and the task is put back into the queue, to go on from there. TERM is how a cancelled task is told: it stays out.
+run='' signal='' status=75
+trap 'signal=USR1; [ -z "$run" ] || kill -USR1 "$run"' USR1
+trap 'signal=TERM; [ -z "$run" ] || kill -TERM "$run"' TERM
 {} campaign run {} --task "$SLURM_ARRAY_TASK_ID" &
 run=$!
-[ -z "${{told:-}}" ] || kill -USR1 "$run"
+[ -z "$signal" ] || kill -"$signal" "$run"
 wait "$run"; status=$?
 while kill -0 "$run" 2> /dev/null; do wait "$run"; status=$?; done
-if [ "$status" -eq 75 ]; then scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}"; fi
+if [ "$status" -eq 75 ] && [ "$signal" = USR1 ]; then
+  scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}"
+fi
 exit "$status"
 )sh",
                      title, place, shell_word(std::filesystem::absolute(folder.file("job.slurm")).string()),

@@ -49,8 +49,8 @@ RunJob job_of(const ManifestEntry& entry);
 /// "0-3,7": numbers as an array of Slurm and of most other batch systems names them.
 std::string index_ranges(const std::vector<ManifestEntry>& entries);
 
-/// A batch script for a Slurm job array over the manifest: each task runs one entry, is requeued when it is stopped
-/// before it ends (status 75), and goes on from its checkpoint.
+/// A batch script for a Slurm job array over the manifest: each task runs one entry, is requeued when USR1
+/// stops it before it ends, and goes on from its checkpoint; when it is cancelled it writes one and stays out.
 std::string slurm_script(const CampaignFolder& folder, const std::filesystem::path& program, const std::string& title);
 
 }  // namespace gpf

@@ -86,7 +86,7 @@ cat > campaign.toml << EOT
 title = "On a cluster"
 replicas = 4
 [axes]
-length_over_width = [1, 2]
+length_over_width = [1, 1.1]
 [scene]
 geometry = "channel"
 area_fraction = 0.3
@@ -95,7 +95,7 @@ normal_restitution = 0.9
 wall_tangential_restitution = 0.6
 [run]
 start_up = 10
-duration = 250
+duration = 600
 density_modes = 4
 EOT
 "$gpf" campaign plan campaign.toml -o local > /dev/null
@@ -107,10 +107,11 @@ running() { [ "$(state "$1" | grep -c RUNNING)" -ge "$2" ]; }
 ended() { [ -z "$(state "$1")" ]; }
 job=$(submit)
 wait_for 20 running "$job" 2 || fail "no task is running"
-sleep 1.5
 # The first task is told to stop, as before its time is up (the signal goes to the script): checkpoint, status 75,
 # requeued. The second one is killed: it fails, and stays missing.
 task() { pgrep -o -f "campaign run '?$work/cluster'? --task $1\$"; }
+works() { [ -n "$(task 0)" ] && [ -n "$(task 1)" ]; }
+wait_for 10 works || fail "there is no process of a running task"
 kill -USR1 "$(ps -o ppid= -p "$(task 0)" | tr -d ' ')" || fail "there is no process of task 0"
 kill -KILL "$(task 1)" || fail "there is no process of task 1"
 requeued() { scontrol show job "${job}_0" | grep -q "Restarts=1"; }
