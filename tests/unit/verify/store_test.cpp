@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(density_modes_are_another_record_and_leave_the_others_alone
   BOOST_REQUIRE(with.has_value());
   BOOST_REQUIRE(without.has_value());
   BOOST_TEST(with->run.density_modes == 3);
-  BOOST_TEST(with->sums.size() == with->blocks * (TallyLayout(without->run).size() + 3 * 3 + 3));
+  BOOST_TEST(with->sums.size() == with->blocks * (TallyLayout(without->run).size() + 3 * 3 + 5));
 }
 
 BOOST_AUTO_TEST_CASE(a_truncated_record_is_reported_and_not_used) {
