@@ -59,7 +59,8 @@ void add_run(CLI::App& campaign, int& status) {
   CLI::App* command = campaign.add_subcommand("run", "Do the runs that are missing; stopped, the same command goes on");
   add_folder(*command, options->place.folder);
   command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
-  CLI::Option* task = command->add_option("--task", options->number, "Only this entry of the manifest, from 0");
+  CLI::Option* task = command->add_option("--task", options->number, "Only this entry of the manifest, from 0")
+                          ->check(CLI::NonNegativeNumber);
   command->add_flag("--adaptive", options->adaptive, "Then add replicas where neighbouring points differ")
       ->excludes(task);
   command->add_option("--checkpoint-period", options->checkpoint_period, "Seconds between checkpoints of a run")

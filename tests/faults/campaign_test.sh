@@ -21,8 +21,8 @@ area_fraction = 0.2
 width_over_diameter = 12
 normal_restitution = 0.9
 [run]
-start_up = 20
-duration = 60
+start_up = 10
+duration = 30
 bins = 4
 density_modes = 4
 EOT
