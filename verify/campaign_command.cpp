@@ -60,7 +60,7 @@ void add_run(CLI::App& campaign, int& status) {
   add_folder(*command, options->place.folder);
   command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
   CLI::Option* task = command->add_option("--task", options->number, "Only this entry of the manifest, from 0")
-                          ->check(CLI::NonNegativeNumber);
+                          ->check(CLI::Range(0, 9999999));
   command->add_flag("--adaptive", options->adaptive, "Then add replicas where neighbouring points differ")
       ->excludes(task);
   command->add_option("--checkpoint-period", options->checkpoint_period, "Seconds between checkpoints of a run")

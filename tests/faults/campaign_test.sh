@@ -45,7 +45,7 @@ ok "200 runs undisturbed"
 for n in 1 2 3 4 5 6 7 8 9 10; do
   setsid "$gpf" campaign run killed -j 2 --checkpoint-period 0.05 2> killed.log &
   pid=$!
-  sleep "0.$((15 + n * 7))"
+  sleep "0.$((10 + n * 3))"
   [ $((n % 2)) -eq 0 ] || pkill -KILL -P "$pid" || true
   kill -KILL "$pid" 2> /dev/null || true
   wait "$pid" 2> /dev/null || true
