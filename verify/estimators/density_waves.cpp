@@ -196,8 +196,8 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
     if (early.to > early.from)
       evidence.checks.push_back(
           {.label = fmt::format("{}, {}: highest peak along the channel over the plug's", name, early.text()),
-           .values = per_replica(replicas.size(),
-                                 [&](auto r) { return highest_peak_between(replicas[r], early.from, early.to); }),
+           .values = per_replica(
+               replicas.size(), [&](auto r) { return highest_peak_between(scene.records()[r], early.from, early.to); }),
            .band = {0, claim.parameter("seen")}});
     check_class(scene, late, words_of(stated->second), evidence);
     check_shift(scene, parameter("toward_rougher", 0), evidence);
