@@ -47,8 +47,12 @@ for n in 1 2 3 4 5 6 7 8 9 10; do
   pid=$!
   sleep "0.$((10 + n * 3))"
   [ $((n % 2)) -eq 0 ] || pkill -KILL -P "$pid" || true
-  kill -KILL "$pid" 2> /dev/null || true
-  wait "$pid" 2> /dev/null || true
+  kill -KILL "$pid" || fail "it ended before it could be killed"
+  set +e
+  wait "$pid" 2> /dev/null
+  got=$?
+  set -e
+  [ "$got" -eq 137 ] || fail "status $got of a campaign that was killed"
   find killed/records -name '*.h5' 2> /dev/null | sort > "done.$n"
   [ "$n" -eq 1 ] || [ -z "$(comm -23 "done.$((n - 1))" "done.$n")" ] || fail "a finished run was lost"
 done

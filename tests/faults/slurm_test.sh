@@ -20,7 +20,7 @@ done
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
 # The node, its keys and sockets; short paths, for a socket's name has 107 characters at most.
-conf=$(mktemp -d /tmp/gpf-slurm.XXXXXX)
+conf=$(mktemp -d -t gpf-slurm.XXXXXX)
 processes=""
 finish() {
   # shellcheck disable=SC2086  # a list
@@ -102,9 +102,9 @@ EOT
 "$gpf" campaign plan campaign.toml -o cluster > /dev/null
 
 submit() { sbatch --parsable --array="$("$gpf" campaign missing --array cluster)" cluster/job.slurm; }
-state() { squeue -h -r -j "$1" -o %T 2> /dev/null || true; }
+state() { squeue -h -r -j "$1" -o %T 2> /dev/null; }
 running() { [ "$(state "$1" | grep -c RUNNING)" -ge "$2" ]; }
-ended() { [ -z "$(state "$1")" ]; }
+ended() { left_of_it=$(state "$1") && [ -z "$left_of_it" ]; } # not when the controller does not answer
 job=$(submit)
 wait_for 20 running "$job" 2 || fail "no task is running"
 # The first task is told to stop, as before its time is up (the signal goes to the script): checkpoint, status 75,
