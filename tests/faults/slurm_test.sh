@@ -8,6 +8,7 @@ gpf=$1
 work=$2
 fail() {
   echo "FAILED: $1" >&2
+  squeue -r -o "%i %T %r" >&2 2> /dev/null || true
   tail -n 20 "$conf/slurmctld.log" "$conf/slurmd.log" "$work"/slurm-*.out >&2 2> /dev/null || true
   exit 1
 }
@@ -103,25 +104,31 @@ EOT
 
 submit() { sbatch --parsable --array="$("$gpf" campaign missing --array cluster)" cluster/job.slurm; }
 state() { squeue -h -r -j "$1" -o %T 2> /dev/null; }
-running() { [ "$(state "$1" | grep -c RUNNING)" -ge "$2" ]; }
-ended() { left_of_it=$(state "$1") && [ -z "$left_of_it" ]; } # not when the controller does not answer
+# A controller that is killed before it wrote which tasks it had started starts them twice, which slurmd refuses, and the
+# node is drained until someone says that it is well.
+resume() { ! sinfo -h -o %T 2> /dev/null | grep -q drain || scontrol update "NodeName=$(hostname -s)" State=RESUME; }
+running() { resume && [ "$(state "$1" | grep -c RUNNING)" -ge "$2" ]; }
+ended() { resume && left_of_it=$(state "$1") && [ -z "$left_of_it" ]; } # not when the controller does not answer
 job=$(submit)
-wait_for 20 running "$job" 2 || fail "no task is running"
+wait_for 60 running "$job" 2 || fail "no task is running"
 # The first task is told to stop, as before its time is up (the signal goes to the script): checkpoint, status 75,
 # requeued. The second one is killed: it fails, and stays missing.
 task() { pgrep -o -f "campaign run '?$work/cluster'? --task $1\$"; }
 works() { [ -n "$(task 0)" ] && [ -n "$(task 1)" ]; }
-wait_for 10 works || fail "there is no process of a running task"
+wait_for 30 works || fail "there is no process of a running task"
 kill -USR1 "$(ps -o ppid= -p "$(task 0)" | tr -d ' ')" || fail "there is no process of task 0"
 kill -KILL "$(task 1)" || fail "there is no process of task 1"
 requeued() { scontrol show job "${job}_0" | grep -q "Restarts=1"; }
-wait_for 20 requeued || fail "a stopped task was not requeued"
+wait_for 60 requeued || fail "a stopped task was not requeued"
 ok "a task that is told to stop is requeued"
-# The controller is killed and started again.
+# The controller is killed and started again; what it knew of the requeued task is on disk by then.
+touch "$conf/requeued"
+saved() { [ "$conf/state/job_state" -nt "$conf/requeued" ]; }
+wait_for 30 saved || fail "the controller does not save its state"
 kill -KILL "$controller"
 sleep 1
 start_controller
-wait_for 20 running "$job" 1 || fail "no task is running after the controller was killed"
+wait_for 60 running "$job" 1 || fail "no task is running after the controller was killed"
 ok "tasks go on when the controller was killed"
 # What is left is cancelled, and only that is submitted again.
 one_done() { [ "$("$gpf" campaign missing cluster | wc -l)" -lt 8 ]; }
