@@ -17,21 +17,6 @@ namespace {
 
 constexpr double alpha = 0.05;
 
-/// Sets structure, share, confidence and bistable from the labels.
-void judge_labels(PointResult& result) {
-  if (result.labels.empty()) return;
-  std::map<std::optional<Structure>, std::size_t> count;
-  for (const auto& label : result.labels) ++count[label];
-  const auto most =
-      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  const auto as_many =
-      std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second == most->second; });
-  result.structure = as_many == 1 ? most->first : std::nullopt;
-  result.share = {most->second, result.labels.size()};
-  result.confidence = proportion_interval(result.share, alpha);
-  result.bistable = tally_of(result.labels).ends_with("bistable");
-}
-
 /// The finished runs of a point, as far as `most` of them.
 std::vector<Record> records_of(const CampaignPoint& point, const Manifest& manifest, const RecordStore& store,
                                std::size_t most) {
@@ -97,6 +82,23 @@ std::string csv_line(std::vector<std::string> cells) {
 
 }  // namespace
 
+PointResult result_of(std::vector<std::optional<Structure>> labels) {
+  PointResult result;
+  result.labels = std::move(labels);
+  if (result.labels.empty()) return result;
+  std::map<std::optional<Structure>, std::size_t> count;
+  for (const auto& label : result.labels) ++count[label];
+  const auto most =
+      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto as_many =
+      std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second == most->second; });
+  result.structure = as_many == 1 ? most->first : std::nullopt;
+  result.share = {most->second, result.labels.size()};
+  result.confidence = proportion_interval(result.share, alpha);
+  result.bistable = tally_of(result.labels).ends_with("bistable");
+  return result;
+}
+
 std::string PointResult::name() const {
   if (labels.empty()) return "no run";
   if (bistable) return "bistable";
@@ -110,10 +112,11 @@ std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manif
     PointResult result;
     if (!records.empty()) {
       const SceneValues scene(point.label, records);
-      for (const DensityContrast& contrast : density_contrasts(scene)) result.labels.push_back(classify(contrast));
+      std::vector<std::optional<Structure>> labels;
+      for (const DensityContrast& contrast : density_contrasts(scene)) labels.push_back(classify(contrast));
+      result = result_of(std::move(labels));
       result.band_shift = scene.of("band_shift");
       result.mean_flow = scene.of("mean_flow");
-      judge_labels(result);
     }
     results.push_back(std::move(result));
   }

@@ -31,6 +31,9 @@ struct PointResult {
   [[nodiscard]] std::string name() const;
 };
 
+/// What the labels of a point's runs say; without band_shift and mean_flow.
+PointResult result_of(std::vector<std::optional<Structure>> labels);
+
 /// One for each point of the campaign.
 std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manifest, const RecordStore& store);
 

@@ -21,7 +21,8 @@ struct ToleranceTerm {
   std::string evidence;  ///< where the number comes from
 };
 
-/// A claim file, reference/claims/<id>.toml. Scenes are names in reference/scenes/ without ".toml".
+/// A claim file, reference/claims/<id>.toml. Scenes are names in reference/scenes/ without ".toml",
+/// or in reference/campaigns/: all points of it.
 struct Claim {
   std::string id;  ///< never changes once released
   std::string title;

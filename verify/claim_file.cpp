@@ -80,7 +80,7 @@ void read_scenes(const TomlFields& file, Claim& claim) {
     for (const std::string& name : names)
       if (!is_name(name))
         throw scenes.error(entry.key, fmt::format("scene {} cannot be used", gpf::quoted(name)),
-                           "it is the name of a file in reference/scenes/ without .toml", "correct it");
+                           "it is the name of a file in reference/scenes/ or reference/campaigns/ without .toml", "correct it");
     claim.scenes[tier_named(entry.key)] = std::move(names);
   }
   if (claim.scenes.empty())

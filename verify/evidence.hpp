@@ -37,10 +37,17 @@ struct HealthCheck {
   std::string detail;
 };
 
+/// A picture that is no plot, for the claim's page.
+struct Drawing {
+  std::string title;
+  std::string svg;  ///< an SVG document
+};
+
 struct Evidence {
   std::vector<Check> checks;
   std::vector<HealthCheck> health;  ///< the estimator's own; the judge adds those that hold for every record
   Plot plot;                        ///< the picture for the claim's page
+  std::vector<Drawing> drawings;    ///< shown below it
   std::vector<std::string> notes;   ///< sentences for the page: definitions, both readings, what else was seen
   double extra_cpu_seconds = 0;     ///< spent in the estimator itself (oracle runs)
 };

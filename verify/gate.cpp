@@ -30,7 +30,7 @@ class Gate {
   explicit Gate(const GateOptions& options)
       : options_(options),
         store_(options.store, trust_in(options.tier), [this](const std::string& line) { findings_.push_back(line); }),
-        scenes_(options.reference / "scenes") {}
+        scenes_(options.reference) {}
 
   std::vector<std::string> findings() {
     const std::vector<Claim> claims = load_claims(options_.reference / "claims");
@@ -72,13 +72,14 @@ class Gate {
     if (options_.program_hash != 0 && verdict.program_hash != options_.program_hash)
       return "another build of the program made it";
     std::vector<std::string> names;
-    for (const std::string& scene : claim.scenes_in(options_.tier))
-      for (int replica = 0; replica < verdict.replicas; ++replica) {
-        const SceneFile file = replica_of(scenes_.at(scene), replica, verdict.release_seed);
-        names.push_back(record_name(file.scene, file.run));
-        if (checked_.insert(names.back()).second && !store_.load(file))
-          return fmt::format("the record of {} #{} is gone or damaged", scene, replica + 1);
-      }
+    for (const std::string& name : claim.scenes_in(options_.tier))
+      for (const NamedScene& scene : scenes_.of(name))
+        for (int replica = 0; replica < verdict.replicas; ++replica) {
+          const SceneFile file = replica_of(scene.file, replica, verdict.release_seed);
+          names.push_back(record_name(file.scene, file.run));
+          if (checked_.insert(names.back()).second && !store_.load(file))
+            return fmt::format("the record of {} #{} is gone or damaged", scene.name, replica + 1);
+        }
     return names == verdict.records ? "" : "its scenes have changed";
   }
 

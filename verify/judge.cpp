@@ -155,6 +155,7 @@ Verdict judge(const Claim& claim, Tier tier, const Evidence& evidence, int repli
   verdict.outcome = outcome_of(verdict.checks, verdict.health);
   verdict.green = agrees(verdict.outcome, verdict.expected);
   verdict.plot = evidence.plot;
+  verdict.drawings = evidence.drawings;
   verdict.notes = evidence.notes;
   if (const std::string note = unused_tolerance(verdict.checks); !note.empty()) verdict.notes.push_back(note);
   verdict.cpu_seconds = evidence.extra_cpu_seconds;

@@ -36,6 +36,7 @@ struct Verdict {
   std::vector<JudgedCheck> checks;
   std::vector<HealthCheck> health;
   Plot plot;
+  std::vector<Drawing> drawings;
   std::vector<std::string> notes;
   double cpu_seconds = 0;            ///< of the runs that it read (shared with other claims) and its own
   std::string summary;               ///< one sentence: the tightest check with its number, interval and band

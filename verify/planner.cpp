@@ -5,12 +5,21 @@
 #include <algorithm>
 #include <set>
 
+#include "verify/campaign.hpp"
+
 namespace gpf {
 
-const SceneFile& SceneLibrary::at(const std::string& name) {
+const std::vector<NamedScene>& SceneLibrary::of(const std::string& name) {
   const auto found = scenes_.find(name);
   if (found != scenes_.end()) return found->second;
-  return scenes_.emplace(name, load_scene(folder_ / (name + ".toml"))).first->second;
+  const std::string file = name + ".toml";
+  std::vector<NamedScene> scenes;
+  if (is_campaign(name))
+    for (const CampaignPoint& point : load_campaign(reference_ / "campaigns" / file).points)
+      scenes.push_back({name + ": " + point.label, point.scene});
+  else
+    scenes.push_back({name, load_scene(reference_ / "scenes" / file)});
+  return scenes_.emplace(name, std::move(scenes)).first->second;
 }
 
 void add_demand(Demand& demand, const Claim& claim, Tier tier, int replicas) {
@@ -24,11 +33,12 @@ std::vector<RunJob> missing_runs(const Demand& demand, SceneLibrary& scenes, con
                                  std::uint64_t release_seed) {
   std::vector<RunJob> jobs;
   std::set<std::filesystem::path> planned;
-  for (const auto& [scene, replicas] : demand)
-    for (int replica = 0; replica < replicas; ++replica) {
-      RunJob job{replica_of(scenes.at(scene), replica, release_seed), fmt::format("{} #{}", scene, replica + 1)};
-      if (planned.insert(store.path(job.file)).second && !store.load(job.file)) jobs.push_back(std::move(job));
-    }
+  for (const auto& [name, replicas] : demand)
+    for (const NamedScene& scene : scenes.of(name))
+      for (int replica = 0; replica < replicas; ++replica) {
+        RunJob job{replica_of(scene.file, replica, release_seed), fmt::format("{} #{}", scene.name, replica + 1)};
+        if (planned.insert(store.path(job.file)).second && !store.load(job.file)) jobs.push_back(std::move(job));
+      }
   std::stable_sort(jobs.begin(), jobs.end(), [](const RunJob& a, const RunJob& b) {
     return expected_collisions(a.file) > expected_collisions(b.file);
   });

@@ -15,17 +15,29 @@
 
 namespace gpf {
 
-/// The scene files of a folder, each read once, when it is first asked for.
+struct NamedScene {
+  std::string name;
+  SceneFile file;
+};
+
+/// What the names in a claim's [scenes] stand for, each file read once, when it is first asked for.
 class SceneLibrary {
  public:
-  explicit SceneLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit SceneLibrary(std::filesystem::path reference) : reference_(std::move(reference)) {}
 
-  /// <folder>/<name>.toml. Throws StorageError, InputError.
-  const SceneFile& at(const std::string& name);
+  /// <reference>/scenes/<name>.toml, or where there is a <reference>/campaigns/<name>.toml its points, each named
+  /// "<name>: <label of the point>". Throws StorageError, InputError.
+  const std::vector<NamedScene>& of(const std::string& name);
+  /// How many those are; a scene file is not read for it.
+  std::size_t count(const std::string& name) { return is_campaign(name) ? of(name).size() : 1; }
 
  private:
-  std::filesystem::path folder_;
-  std::map<std::string, SceneFile> scenes_;
+  [[nodiscard]] bool is_campaign(const std::string& name) const {
+    return std::filesystem::exists(reference_ / "campaigns" / (name + ".toml"));
+  }
+
+  std::filesystem::path reference_;
+  std::map<std::string, std::vector<NamedScene>> scenes_;
 };
 
 /// Scene name -> number of replicas. Claims share runs: the larger number counts.

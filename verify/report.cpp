@@ -54,6 +54,10 @@ class ReportWriter {
       draw(judged.verdict.plot, fmt::format("claims/{}.svg", id));
       pictures.plot = id + ".svg";
     }
+    for (const Drawing& drawing : judged.verdict.drawings) {
+      pictures.drawings.push_back(fmt::format("{}-{}.svg", id, pictures.drawings.size() + 1));
+      write(drawing.svg, "claims/" + pictures.drawings.back());
+    }
     write(claim_page(judged, pictures), fmt::format("claims/{}.md", id));
   }
 
@@ -79,9 +83,13 @@ class ReportWriter {
     for (const auto& entry : fs::directory_iterator(output_ / "claims"))
       if (entry.path().extension() == ".md" && read_text(entry.path()).starts_with(page_marker))
         ids.push_back(entry.path().stem().string());
-    for (const std::string& id : ids)
-      for (const std::string& name : {"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"})
+    for (const std::string& id : ids) {
+      std::vector<std::string> names{"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"};
+      for (int k = 1; fs::exists(output_ / fmt::format("claims/{}-{}.svg", id, k)); ++k)
+        names.push_back(fmt::format("claims/{}-{}.svg", id, k));
+      for (const std::string& name : names)
         if (!written_.contains(name)) fs::remove(output_ / name);
+    }
     const fs::path errata = output_ / "errata.md";
     if (!written_.contains("errata.md") && fs::exists(errata) && read_text(errata).starts_with(page_marker))
       fs::remove(errata);

@@ -105,6 +105,15 @@ std::string health_text(const std::vector<HealthCheck>& health) {
   return text;
 }
 
+std::string drawings_text(const Verdict& verdict, const ClaimPictures& pictures) {
+  std::string text;
+  for (std::size_t k = 0; k < pictures.drawings.size(); ++k) {
+    const std::string title = markdown_text(verdict.drawings[k].title);
+    text += fmt::format("{}{}:\n\n![{}]({})\n", k == 0 ? "" : "\n", title, title, pictures.drawings[k]);
+  }
+  return text;
+}
+
 std::string cost_text(const Claim& claim, const Verdict& verdict) {
   std::string text = fmt::format("{} of CPU time", duration_text(verdict.cpu_seconds));
   const std::vector<std::string> scenes = claim.scenes_in(verdict.tier);
@@ -137,6 +146,7 @@ std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures)
     text += section("Value, interval and band",
                     fmt::format("![checks of {}]({})\n\n{}\n", claim.id, pictures.checks, pictures.checks_caption));
   if (!pictures.plot.empty()) text += section("Plot", fmt::format("![{}]({})\n", claim.id, pictures.plot));
+  if (!pictures.drawings.empty()) text += section("Snapshots", drawings_text(judged.verdict, pictures));
   text += section("Checks", checks_text(verdict));
   text += section("Tolerance budget", budget_text(claim, verdict));
   text += section("Health checks", health_text(verdict.health));

@@ -14,6 +14,7 @@ inline constexpr const char* page_marker = "<!-- Written by `gpf report` from ve
 struct ClaimPictures {
   std::string checks, checks_caption;  ///< link to the picture of its checks, and markdown below it
   std::string plot;                    ///< link to the claim's own plot
+  std::vector<std::string> drawings;   ///< links to the verdict's drawings, in their order
 };
 
 /// The page as markdown. Parts for which there is nothing are left out.

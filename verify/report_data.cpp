@@ -8,6 +8,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/event/physics_version.hpp"
 #include "gpf/io/record.hpp"
+#include "verify/planner.hpp"
 #include "verify/verdict_file.hpp"
 
 namespace gpf {
@@ -15,7 +16,7 @@ namespace {
 
 std::string validate_command(Tier tier) { return fmt::format("gpf validate --tier {}", name_of(tier)); }
 
-Verdict verdict_of(const Claim& claim, Tier tier, const std::filesystem::path& store) {
+Verdict verdict_of(const Claim& claim, Tier tier, const std::filesystem::path& store, SceneLibrary& scenes) {
   Verdict verdict = read_verdict(store, tier, claim.id);
   const auto stale = [&](std::string_view why) {
     return InputError(fmt::format("the verdict on claim '{}' is stale", claim.id), std::string(why),
@@ -23,8 +24,10 @@ Verdict verdict_of(const Claim& claim, Tier tier, const std::filesystem::path& s
   };
   if (verdict.claim_hash != claim.text_hash) throw stale("the claim file has changed since");
   if (verdict.physics_version != physics_version) throw stale("it was made with another physics version");
-  if (verdict.records.size() != claim.scenes_in(tier).size() * static_cast<std::size_t>(verdict.replicas))
-    throw stale("it rests on other runs than the claim's scenes");
+  std::size_t runs = 0;
+  for (const std::string& name : claim.scenes_in(tier))
+    runs += scenes.count(name) * static_cast<std::size_t>(verdict.replicas);
+  if (verdict.records.size() != runs) throw stale("it rests on other runs than the claim's scenes");
   return verdict;
 }
 
@@ -68,16 +71,20 @@ std::vector<Erratum> errata_of(const std::filesystem::path& reference, const std
 
 class Loader {
  public:
-  Loader(Tier tier, const std::filesystem::path& store) : store_(store) { data_.tier = tier; }
+  Loader(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference)
+      : store_(store), scenes_(reference) {
+    data_.tier = tier;
+  }
 
   void add(Claim claim) {
-    Verdict verdict = verdict_of(claim, data_.tier, store_);
+    Verdict verdict = verdict_of(claim, data_.tier, store_, scenes_);
     data_.cpu_seconds += verdict.cpu_seconds;
     std::size_t next = 0;  // a verdict names its records scene by scene, as the claim lists them
     for (const std::string& scene : claim.scenes_in(data_.tier)) {
       SceneCost& cost = data_.scenes[scene];
       if (cost.claims.empty() || cost.claims.back() != claim.id) cost.claims.push_back(claim.id);
-      for (int replica = 0; replica < verdict.replicas; ++replica) {
+      for (std::size_t run_left = scenes_.count(scene) * static_cast<std::size_t>(verdict.replicas); run_left > 0;
+           --run_left) {
         const std::string& name = verdict.records.at(next++);
         const RunCost& run = run_of(name, claim.id);
         data_.cpu_seconds -= run.cpu_seconds;
@@ -116,6 +123,7 @@ class Loader {
   }
 
   std::filesystem::path store_;
+  SceneLibrary scenes_;
   ReportData data_;
   std::map<std::string, RunCost> runs_;
 };
@@ -136,7 +144,7 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
     throw InputError(fmt::format("{} of {} claims have no verdict in '{}'", missing.size(), claims.size(),
                                  verdict_path(store, tier, "").parent_path().string()),
                      fmt::format("{}", fmt::join(missing, ", ")), validate_command(tier));
-  Loader loader(tier, store);
+  Loader loader(tier, store, reference);
   for (Claim& claim : claims) loader.add(std::move(claim));
   ReportData data = std::move(loader).finish();
   data.errata = std::move(errata);

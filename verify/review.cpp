@@ -16,18 +16,19 @@ Verdict review(const Claim& claim, Tier tier, int look, SceneLibrary& scenes, co
   SceneRecords records;
   std::vector<std::string> names;
   double cpu_seconds = 0;
-  for (const std::string& scene : claim.scenes_in(tier))
-    for (int replica = 0; replica < replicas; ++replica) {
-      const SceneFile file = replica_of(scenes.at(scene), replica, release_seed);
-      std::optional<Record> record = store.load(file);
-      if (!record)
-        throw InputError(fmt::format("claim '{}' cannot be judged", claim.id),
-                         fmt::format("the record of {} #{} is missing", scene, replica + 1),
-                         "see why its run did not end, and validate again");
-      names.push_back(record_name(file.scene, file.run));
-      cpu_seconds += record->cpu_seconds;
-      records[scene].push_back(std::move(*record));
-    }
+  for (const std::string& name : claim.scenes_in(tier))
+    for (const NamedScene& scene : scenes.of(name))
+      for (int replica = 0; replica < replicas; ++replica) {
+        const SceneFile file = replica_of(scene.file, replica, release_seed);
+        std::optional<Record> record = store.load(file);
+        if (!record)
+          throw InputError(fmt::format("claim '{}' cannot be judged", claim.id),
+                           fmt::format("the record of {} #{} is missing", scene.name, replica + 1),
+                           "see why its run did not end, and validate again");
+        names.push_back(record_name(file.scene, file.run));
+        cpu_seconds += record->cpu_seconds;
+        records[scene.name].push_back(std::move(*record));
+      }
 
   Evidence evidence = estimators(claim.estimator)(claim, tier, records);
   const bool statistical =

@@ -55,6 +55,7 @@ class Simulation {
     const Checkpoint c = read_checkpoint(file_.scene, file_.run, *path);
     measurement_.restore(c.measurement);
     history_ = c.history;
+    snapshots_ = c.snapshots;
     samples_ = c.samples;
     contacts_at_begin_ = c.contacts_at_begin;
     overlap_before_ = c.deepest_overlap;
@@ -68,6 +69,9 @@ class Simulation {
     ++samples_;
     const State state = engine_.state();
     history_.offer(time, state, file_.run.bins);
+    const std::vector<double>& wanted = file_.run.snapshots;
+    while (snapshots_.size() < wanted.size() && wanted[snapshots_.size()] < time + file_.run.sample_interval / 2)
+      snapshots_.push_back({time, state});
     if (measurement_.begun()) {
       measurement_.sample(time, state);
     } else if (samples_ == first_measured_) {
@@ -94,7 +98,7 @@ class Simulation {
     const bool stop = options_.stop != nullptr && *options_.stop != 0;
     if (options_.checkpoint && (stop || seconds_since(saved_) > options_.checkpoint_period)) {
       write_checkpoint(file_.scene, file_.run,
-                       {engine_.checkpoint(), measurement_.memory(), history_, samples_, contacts_at_begin_,
+                       {engine_.checkpoint(), measurement_.memory(), history_, snapshots_, samples_, contacts_at_begin_,
                         std::max(overlap_before_, engine_.deepest_overlap()), wall_seconds(), cpu_seconds()},
                        *options_.checkpoint);
       saved_ = Clock::now();
@@ -141,6 +145,7 @@ class Simulation {
     r.sums.assign(measurement_.series().sums().begin(), measurement_.series().sums().end());
     r.arrays = measurement_.arrays();
     r.history = history_;
+    r.snapshots = snapshots_;
     r.final_state = engine_.state();
     r.build = to_json(build_provenance());
     r.session = to_json(session_provenance(options_.command));
@@ -160,6 +165,7 @@ class Simulation {
   std::optional<double> first_fraction_;
   Measurement measurement_;
   History history_;
+  std::vector<Snapshot> snapshots_;
   Engine<> engine_;
 };
 

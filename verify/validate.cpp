@@ -45,7 +45,7 @@ class Validation {
       : options_(options),
         store_(options.store, trust_in(options.tier),
                [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }),
-        scenes_(options.reference / "scenes"),
+        scenes_(options.reference),
         pool_{options.jobs, options.checkpoint_period, options.stop, options.run, options.command} {}
 
   /// The first look's records of the scenes that options.only_runs names.

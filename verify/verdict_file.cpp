@@ -139,6 +139,7 @@ Verdict verdict_from(const Json& json) {
   for (const Json& h : json.at("health")) v.health.push_back({h.at("name"), h.at("passed"), h.at("detail")});
   v.notes = json.at("notes").get<std::vector<std::string>>();
   v.plot = plot_from(json.at("plot"));
+  for (const Json& d : json.value("drawings", Json::array())) v.drawings.push_back({d.at("title"), d.at("svg")});
   v.cpu_seconds = number(json.at("cpu_seconds"));
   v.records = json.at("records").get<std::vector<std::string>>();
   v.claim_hash = json.at("claim_hash");
@@ -159,26 +160,29 @@ std::string verdict_text(const Verdict& v) {
   for (const JudgedCheck& c : v.checks) checks.push_back(check_json(c));
   for (const HealthCheck& h : v.health)
     health.push_back({{"name", h.name}, {"passed", h.passed}, {"detail", h.detail}});
-  const Json json{{"format", format_name},
-                  {"claim", v.claim_id},
-                  {"tier", name_of(v.tier)},
-                  {"outcome", name_of(v.outcome)},
-                  {"expected", name_of(v.expected)},
-                  {"green", v.green},
-                  {"summary", v.summary},
-                  {"replicas", v.replicas},
-                  {"look", v.look},
-                  {"alpha", number(v.alpha)},
-                  {"checks", checks},
-                  {"health", health},
-                  {"notes", v.notes},
-                  {"plot", plot_json(v.plot)},
-                  {"cpu_seconds", number(v.cpu_seconds)},
-                  {"records", v.records},
-                  {"claim_hash", v.claim_hash},
-                  {"physics_version", v.physics_version},
-                  {"program_hash", v.program_hash},
-                  {"release_seed", v.release_seed}};
+  Json drawings = Json::array();
+  for (const Drawing& d : v.drawings) drawings.push_back({{"title", d.title}, {"svg", d.svg}});
+  Json json{{"format", format_name},
+            {"claim", v.claim_id},
+            {"tier", name_of(v.tier)},
+            {"outcome", name_of(v.outcome)},
+            {"expected", name_of(v.expected)},
+            {"green", v.green},
+            {"summary", v.summary},
+            {"replicas", v.replicas},
+            {"look", v.look},
+            {"alpha", number(v.alpha)},
+            {"checks", checks},
+            {"health", health},
+            {"notes", v.notes},
+            {"plot", plot_json(v.plot)},
+            {"cpu_seconds", number(v.cpu_seconds)},
+            {"records", v.records},
+            {"claim_hash", v.claim_hash},
+            {"physics_version", v.physics_version},
+            {"program_hash", v.program_hash},
+            {"release_seed", v.release_seed}};
+  if (!drawings.empty()) json["drawings"] = drawings;
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

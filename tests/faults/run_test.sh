@@ -34,8 +34,10 @@ start_up = 10
 duration = 30
 detail = "correlations"
 density_modes = 3
+sample_interval = 0.0625
+snapshots = [0.5, 12, 24.1, 40]
 EOT
-arrays() { h5dump -g /arrays "$1" | tail -n +2; }
+arrays() { h5dump -g /arrays -g /snapshots "$1" | tail -n +2; }
 
 expect 0 "an undisturbed run" "$gpf" run scene.toml -o whole.h5 --json
 cp out.txt whole.json
@@ -48,6 +50,7 @@ for key in collisions collisions_per_second wall_seconds time trace_hash y mean_
 done
 ok "--json has every key"
 hash=$(field trace_hash whole.json)
+h5dump -d /snapshots/time whole.h5 | grep -q "(0): 0.5, 12, 24.125, 40" || fail "no snapshots at the samples nearest to their times"
 [ ${#hash} -eq 16 ] || fail "no trace hash"
 
 # Stopped by each signal in turn, resumed each time.

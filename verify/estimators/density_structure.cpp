@@ -127,6 +127,22 @@ std::string name_of(Structure structure) {
   return "clumps";
 }
 
+std::vector<Structure> structures_named(const std::string& text) {
+  std::vector<Structure> named;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(" or ", from), text.size());
+    const std::string word = text.substr(from, to - from);
+    const auto found =
+        std::find_if(structures.begin(), structures.end(), [&](Structure s) { return name_of(s) == word; });
+    if (found == structures.end())
+      throw InputError(fmt::format("unknown structure '{}'", word), "a claim's [structures] names another",
+                       "write plug, wave, varicose wave, slug or clumps, or several with ' or ' between");
+    named.push_back(*found);
+    from = to + 4;
+  }
+  return named;
+}
+
 std::string name_of(const std::optional<Structure>& structure) {
   return structure ? name_of(*structure) : "between the classes";
 }

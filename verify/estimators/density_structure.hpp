@@ -56,6 +56,8 @@ inline constexpr double varicose_of_a_lump = 2;
 std::optional<Structure> classify(const DensityContrast& contrast);
 
 std::string name_of(Structure structure);
+/// "slug", or several: "slug or clumps". Throws InputError for an unknown one.
+std::vector<Structure> structures_named(const std::string& text);
 std::string name_of(const std::optional<Structure>& structure);  ///< "between the classes" for none
 
 /// "5 wave, 3 between the classes", and ": bistable" when two classes are each significantly (5 %) above a tenth of all

@@ -5,9 +5,11 @@
 #include <map>
 
 #include "gpf/base/error.hpp"
+#include "gpf/io/snapshot.hpp"
 #include "verify/estimators/density_structure.hpp"
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/made_structures.hpp"
+#include "verify/estimators/wave_motion.hpp"
 
 namespace gpf {
 namespace {
@@ -67,14 +69,14 @@ std::vector<std::optional<Structure>> labels_in(const SceneValues& scene, const 
   return labels;
 }
 
-void check_class(const SceneValues& scene, const Window& window, std::span<const std::string> stated,
-                 Evidence& evidence) {
+void check_class(const SceneValues& scene, const Window& window, const std::string& stated, Evidence& evidence) {
   const auto labels = labels_in(scene, window);
+  const std::vector<Structure> wanted = structures_named(stated);
   const auto is_stated = [&](const std::optional<Structure>& label) {
-    return label && std::find(stated.begin(), stated.end(), name_of(*label)) != stated.end();
+    return label && std::find(wanted.begin(), wanted.end(), *label) != wanted.end();
   };
   evidence.checks.push_back(
-      {.label = fmt::format("{}, {}: replicas with a {}", scene.name(), window.text(), fmt::join(stated, " or ")),
+      {.label = fmt::format("{}, {}: replicas with a {}", scene.name(), window.text(), stated),
        .values = per_replica(labels.size(), [&](auto r) { return is_stated(labels[r]) ? 1.0 : 0.0; }),
        .band = majority,
        .reference = NAN,
@@ -82,29 +84,62 @@ void check_class(const SceneValues& scene, const Window& window, std::span<const
   evidence.notes.push_back(fmt::format("{}, {}: {}.", scene.name(), window.text(), tally_of(labels)));
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(" or ", from), text.size());
-    words.push_back(text.substr(from, to - from));
-    if (std::none_of(structures.begin(), structures.end(), [&](Structure s) { return name_of(s) == words.back(); }))
-      throw InputError(fmt::format("unknown structure '{}'", words.back()), "a claim's [structures] names another",
-                       "write plug, wave, varicose wave, slug or clumps, or several with ' or ' between");
-    from = to + 4;
-  }
-  return words;
+constexpr std::size_t blocks_per_window = 8;  // of the plot against time, and of the onset
+
+double window_length(const Record& record) {
+  return static_cast<double>(blocks_per_window) * (record.time - record.run.start_up) /
+         static_cast<double>(record.blocks);
 }
 
-/// Contrast of the strongest mode of each shape against time, replicas averaged.
+/// When the strongest mode came up, and how fast it moves.
+void note_motion(const SceneValues& scene, const Window& late, Evidence& evidence) {
+  std::vector<double> onsets, speeds, flows, lags;
+  for (const Record& record : scene.records()) {
+    const StrongestMode mode = strongest_mode(density_contrast_between(record, late.from, late.to));
+    if (mode.contrast < visible_contrast) continue;
+    if (const auto onset = onset_time(record, mode.shape, mode.k, blocks_per_window)) onsets.push_back(*onset);
+    if (const auto speed = mode_speed(record, mode.shape, mode.k)) {
+      speeds.push_back(*speed);
+      flows.push_back(snapshot_flow(record));
+      lags.push_back(*speed / flows.back());
+    }
+  }
+  const auto text = [](const std::vector<double>& values) {
+    const ReplicaSummary s = summarise(values);
+    return fmt::format("{:.3g} +- {:.2g}", s.mean, s.standard_error());
+  };
+  if (onsets.size() > 1)
+    evidence.notes.push_back(fmt::format(
+        "{}: the strongest mode of a run is first visible, and stays so, at t = {} ({} of "
+        "{} runs; windows of {:.2g}).",
+        scene.name(), text(onsets), onsets.size(), scene.replicas(), window_length(scene.records().front())));
+  if (speeds.size() > 1)
+    evidence.notes.push_back(fmt::format(
+        "{}: it moves along the channel at {} (gW)^1/2, {} of the mean velocity of the disks, {} (in the last "
+        "snapshots of {} runs).",
+        scene.name(), text(speeds), text(lags), text(flows), speeds.size()));
+}
+
+/// The first replica's snapshots, without the last, which is there for the speed.
+void draw_snapshots(const SceneValues& scene, Evidence& evidence) {
+  const Record& record = scene.records().front();
+  for (std::size_t s = 0; s + 1 < record.snapshots.size(); ++s) {
+    const Snapshot& snapshot = record.snapshots[s];
+    const std::string title = fmt::format("{}, t = {:.4g}", scene.name(), snapshot.time);
+    evidence.drawings.push_back({title, snapshot_svg(record.scene, snapshot.state, title)});
+  }
+}
+
+/// Contrast of the strongest mode of each shape against time, and the kinetic energy of a disk, replicas averaged.
 void draw(const SceneValues& scene, Plot& plot) {
   const Record& first = scene.records().front();
-  const double block = (first.time - first.run.start_up) / static_cast<double>(first.blocks);
+  const double window = window_length(first), begin = first.run.start_up;
   for (const auto& [name, member] : {std::pair{"even (slug, clumps)", &DensityContrast::even},
                                      {"odd (wave)", &DensityContrast::odd},
                                      {"varicose", &DensityContrast::varicose}}) {
     Series series{.label = fmt::format("{}, {}", scene.name(), name), .style = SeriesStyle::line};
-    for (std::size_t b = 0; b + 8 <= first.blocks; b += 8) {
-      const double from = first.run.start_up + static_cast<double>(b) * block, to = from + 8 * block;
+    for (std::size_t w = 0; (w + 1) * blocks_per_window <= first.blocks; ++w) {
+      const double from = begin + static_cast<double>(w) * window, to = from + window;
       double sum = 0;
       for (const Record& record : scene.records()) {
         const std::vector<double> c = density_contrast_between(record, from, to).*member;
@@ -115,6 +150,14 @@ void draw(const SceneValues& scene, Plot& plot) {
     }
     plot.series.push_back(std::move(series));
   }
+  Series energy{.label = fmt::format("{}, energy", scene.name()), .style = SeriesStyle::line};
+  for (std::size_t h = 0; h < first.history.time.size(); ++h) {
+    double sum = 0;
+    for (const Record& record : scene.records()) sum += record.history.energy[h];
+    energy.x.push_back(first.history.time[h]);
+    energy.y.push_back(sum / static_cast<double>(scene.replicas()));
+  }
+  plot.series.push_back(std::move(energy));
 }
 
 }  // namespace
@@ -181,8 +224,10 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
   };
   const Window late{parameter("late_from", 0)}, early{parameter("early_from", 0), parameter("early_to", 0)};
   Evidence evidence;
-  evidence.plot = {
-      .title = "Density modes", .xlabel = "t", .ylabel = "|a|² over that of independent disks", .logy = true};
+  evidence.plot = {.title = "Density modes and kinetic energy",
+                   .xlabel = "t",
+                   .ylabel = "|a|² over that of independent disks; energy of a disk, m g W",
+                   .logy = true};
   for (const auto& [name, stated] : claim.structures)
     if (!records.contains(name))
       throw InputError(fmt::format("claim {} states the structure of '{}', which it does not read", claim.id, name),
@@ -199,9 +244,11 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
            .values = per_replica(
                replicas.size(), [&](auto r) { return highest_peak_between(scene.records()[r], early.from, early.to); }),
            .band = {0, claim.parameter("seen")}});
-    check_class(scene, late, words_of(stated->second), evidence);
+    check_class(scene, late, stated->second, evidence);
     check_shift(scene, parameter("toward_rougher", 0), evidence);
+    note_motion(scene, late, evidence);
     draw(scene, evidence.plot);
+    draw_snapshots(scene, evidence);
   }
   return evidence;
 }

@@ -86,7 +86,8 @@ constexpr auto estimators =
                                                            {"n1_collisional", estimate_n1_collisional},
                                                            {"n1_phase", estimate_n1_phase},
                                                            {"structure_classes", estimate_structure_classes},
-                                                           {"density_waves", estimate_density_waves}});
+                                                           {"density_waves", estimate_density_waves},
+                                                           {"phase_diagram", estimate_phase_diagram}});
 
 }  // namespace
 

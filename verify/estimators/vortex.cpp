@@ -13,13 +13,13 @@ namespace gpf {
 namespace {
 
 /// Disks of one bin in the final state: x in diameters and u_x about their mean, in units of its root mean square.
-struct Snapshot {
+struct VelocityMap {
   std::vector<double> x, u;
 };
 
-Snapshot snapshot_of(const Record& record, int bin) {
+VelocityMap snapshot_of(const Record& record, int bin) {
   const Bins bins(record.run.bins);
-  Snapshot s;
+  VelocityMap s;
   double mean = 0, square = 0;
   for (std::size_t i = 0; i < record.final_state.position.size(); ++i)
     if (bins.at(record.final_state.position[i].y) == bin) {
@@ -34,9 +34,9 @@ Snapshot snapshot_of(const Record& record, int bin) {
 }
 
 /// <u_x u_x'> of the pairs that lie between `from` and `to` times L apart along x, over all snapshots.
-double snapshot_correlation(const std::vector<Snapshot>& snapshots, double length, double from, double to) {
+double snapshot_correlation(const std::vector<VelocityMap>& snapshots, double length, double from, double to) {
   double sum = 0, pairs = 0;
-  for (const Snapshot& s : snapshots)
+  for (const VelocityMap& s : snapshots)
     for (std::size_t i = 0; i < s.x.size(); ++i)
       for (std::size_t j = i + 1; j < s.x.size(); ++j) {
         const double along = std::abs(std::remainder(s.x[j] - s.x[i], length)) / length;
@@ -68,7 +68,7 @@ Evidence estimate_vortex(const Claim&, Tier, const SceneRecords& records) {
     std::string profile;
     for (const double from : {1.0, 2.0, 4.0, 6.0, 8.0, 10.0})
       profile += fmt::format(" {:.3f}", over_replicas(mean_in({from, from < 2 ? 2 : from + 2}, cxx, pairs)).mean);
-    std::vector<Snapshot> snapshots;
+    std::vector<VelocityMap> snapshots;
     for (const Record& record : scene.records())
       for (const int bin : {centre, scene.bins() - 1 - centre}) snapshots.push_back(snapshot_of(record, bin));
     std::string along;
@@ -81,7 +81,7 @@ Evidence estimate_vortex(const Claim&, Tier, const SceneRecords& records) {
         label, length, profile, about_long_time.mean, about_long_time.error, snapshots.size(), along));
     Series picture{.label = fmt::format("{}, L/d {:.0f}", label, length)};
     for (const int bin : {centre, scene.bins() - 1 - centre}) {
-      const Snapshot s = snapshot_of(scene.records().front(), bin);
+      const VelocityMap s = snapshot_of(scene.records().front(), bin);
       picture.x.insert(picture.x.end(), s.x.begin(), s.x.end());
       picture.y.insert(picture.y.end(), s.u.begin(), s.u.end());
     }

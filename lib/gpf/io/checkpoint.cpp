@@ -7,6 +7,7 @@
 #include "gpf/io/arrays.hpp"
 #include "gpf/io/hdf5.hpp"
 #include "gpf/io/record.hpp"
+#include "gpf/io/states.hpp"
 
 namespace gpf {
 
@@ -40,6 +41,7 @@ void write_checkpoint(const Scene& scene, const Run& run, const Checkpoint& c, c
   file.write("/measurement/series", m.series.sums);
   file.write("/measurement/series_open", m.series.open);
   write_arrays(file, m.arrays);
+  if (!run.snapshots.empty()) write_snapshots(file, c.snapshots, static_cast<std::size_t>(scene.particles));
   file.write("/history/time", c.history.time);
   file.write("/history/energy", c.history.energy);
   file.write("/history/temperature", c.history.temperature);
@@ -94,6 +96,7 @@ Checkpoint read_checkpoint(const Scene& scene, const Run& run, const std::filesy
     const double* t = &travels[6 * i];
     c.measurement.travels.push_back({t[0], {t[1], t[2]}, {t[3], t[4]}, t[5]});
   }
+  if (!run.snapshots.empty()) c.snapshots = read_snapshots(file, disks, run.snapshots.size());
   c.history.time = file.doubles("/history/time").values;
   c.history.energy = file.doubles("/history/energy").values;
   c.history.temperature = file.doubles("/history/temperature").values;

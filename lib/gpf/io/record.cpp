@@ -1,6 +1,7 @@
 #include "gpf/io/record.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "gpf/event/physics_version.hpp"
 #include "gpf/io/arrays.hpp"
 #include "gpf/io/hdf5.hpp"
+#include "gpf/io/states.hpp"
 #include "gpf/measure/tallies.hpp"
 #include "gpf/scene/scene_file.hpp"
 
@@ -17,19 +19,6 @@ namespace gpf {
 namespace {
 
 constexpr std::string_view format_name = "gpf record 1";
-
-std::vector<double> flattened(const std::vector<Vec2>& vectors) {
-  std::vector<double> flat;
-  flat.reserve(2 * vectors.size());
-  for (const Vec2 v : vectors) flat.push_back(v.x), flat.push_back(v.y);
-  return flat;
-}
-
-std::vector<Vec2> vectors(const std::vector<double>& flat) {
-  std::vector<Vec2> v(flat.size() / 2);
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] = {flat[2 * k], flat[2 * k + 1]};
-  return v;
-}
 
 InputError unusable(const std::filesystem::path& path, std::string why) {
   return {fmt::format("'{}' is not a usable record", path.string()), std::move(why),
@@ -47,6 +36,7 @@ std::string canonical_text(const Scene& scene, const Run& run) {
   text += fmt::format("sample_interval = {}\nbins = {}\n", run.sample_interval, run.bins);
   if (run.detail != Detail::profiles) text += fmt::format("detail = \"{}\"\n", name_of(run.detail));
   if (run.density_modes > 0) text += fmt::format("density_modes = {}\n", run.density_modes);
+  if (!run.snapshots.empty()) text += fmt::format("snapshots = [{}]\n", fmt::join(run.snapshots, ", "));
   return text;
 }
 
@@ -81,8 +71,9 @@ void write_record(const Record& r, const std::filesystem::path& path) {
   file.write("/history/energy", r.history.energy);
   file.write("/history/granular_temperature", r.history.temperature);
 
-  file.write("/final/position", flattened(r.final_state.position), Dims{r.final_state.position.size(), 2});
-  file.write("/final/velocity", flattened(r.final_state.velocity), Dims{r.final_state.velocity.size(), 2});
+  const auto disks = static_cast<std::size_t>(r.scene.particles);
+  if (!r.run.snapshots.empty()) write_snapshots(file, r.snapshots, disks);
+  write_state(file, "/final", r.final_state);
 
   file.write_text("/provenance", r.build);
   file.write_text("/session/provenance", r.session);
@@ -123,11 +114,10 @@ Record read_record(const std::filesystem::path& path) {
   r.history.temperature = file.doubles("/history/granular_temperature").values;
   if (r.history.energy.size() != r.history.time.size() || r.history.temperature.size() != r.history.time.size())
     throw unusable(path, "its history has columns of different lengths");
-  r.final_state.position = vectors(file.doubles("/final/position").values);
-  r.final_state.velocity = vectors(file.doubles("/final/velocity").values);
   const auto disks = static_cast<std::size_t>(r.scene.particles);
-  if (r.final_state.position.size() != disks || r.final_state.velocity.size() != disks)
-    throw unusable(path, "its final state is not one of its scene");
+  if (!r.run.snapshots.empty()) r.snapshots = read_snapshots(file, disks, r.run.snapshots.size());
+  if (r.snapshots.size() != r.run.snapshots.size()) throw unusable(path, "not all of its snapshots are there");
+  r.final_state = read_state(file, "/final", disks);
   r.build = file.text("/provenance");
   r.session = file.text("/session/provenance");
   r.wall_seconds = file.attribute_double("/session", "wall_seconds");

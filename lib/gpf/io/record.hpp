@@ -15,8 +15,9 @@
 
 namespace gpf {
 
-/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /arrays, /final
-/// (state), /provenance (JSON), attributes of "/" for the rest, and /session for what differs between equal runs.
+/// A finished run. In the file: /scene (texts), /tallies (names, sums [blocks][tallies]), /history, /arrays,
+/// /snapshots, /final (states), /provenance (JSON), attributes of "/" for the rest, and /session for what differs
+/// between equal runs.
 struct Record {
   std::string scene_text;  ///< the scene file as read
   Scene scene;
@@ -33,6 +34,7 @@ struct Record {
   std::vector<double> sums;  ///< blocks x tallies, row-major; layout TallyLayout(run)
   NamedArrays arrays;        ///< what run.detail asks for; see Measurement::arrays()
   History history;
+  std::vector<Snapshot> snapshots;  ///< one for each of run.snapshots
   State final_state;
 
   std::string build;    ///< JSON of BuildProvenance

@@ -64,13 +64,12 @@ std::string snapshot_svg(const Scene& scene, const State& state, const std::stri
       "font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"8\" y=\"18\">{}</text>\n",
       std::max(along + 16, 640.0), below + (2 * most_ky + 3) * square_side, escaped(title));
   svg += fmt::format(
-      "<rect x=\"8\" y=\"28\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" stroke=\"black\"/>\n<g "
-      "fill=\"#246\">\n",
-      along, channel);
-  for (const Vec2 r : state.position)
-    svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", 8 + scale * r.x, 28 + scale * (1 - r.y),
-                       radius);
-  return svg + "</g>\n" + spectrum_squares(scene, state, below) + "</svg>\n";
+      "<rect x=\"8\" y=\"28\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" stroke=\"black\"/>\n<path "
+      "stroke=\"#246\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\" d=\"",
+      along, channel, 2 * radius);
+  // A line of no length with round ends is a disk, and takes a fifth of the bytes of a <circle>.
+  for (const Vec2 r : state.position) svg += fmt::format("M{:.4g},{:.4g}h0", 8 + scale * r.x, 28 + scale * (1 - r.y));
+  return svg + "\"/>\n" + spectrum_squares(scene, state, below) + "</svg>\n";
 }
 
 }  // namespace gpf

@@ -33,7 +33,10 @@ DensityModes density_modes(const State& state, double length, int count) {
   const double squared_number = square(static_cast<double>(state.position.size()));
   for (std::size_t s = 0; s < sum.size(); ++s) {
     modes.noise[s] /= squared_number;
-    for (const Vec2 a : sum[s]) modes.power[s].push_back(dot(a, a) / squared_number);
+    for (const Vec2 a : sum[s]) {
+      modes.amplitude[s].push_back((1 / static_cast<double>(state.position.size())) * a);
+      modes.power[s].push_back(dot(a, a) / squared_number);
+    }
   }
   return modes;
 }

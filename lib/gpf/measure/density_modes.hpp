@@ -19,7 +19,7 @@ enum class ModeShape : std::size_t {
 };
 inline constexpr std::array mode_shapes{ModeShape::even, ModeShape::odd, ModeShape::varicose};
 
-/// Powers |a_k|^2 of one state for k = 1 ... count, with
+/// Amplitudes a_k of one state and their powers for k = 1 ... count, with
 ///   a_k = (1/N) sum_j exp(2 pi i k x_j/L) phi(y_j):
 /// thesis ch. 5, the Fourier coefficients of the density field, with the disks' places instead of a mesh, and resolved
 /// by parity across the channel instead of k_y, since a slug and a wave both have the coefficient (1, 1). The parity is
@@ -27,7 +27,8 @@ inline constexpr std::array mode_shapes{ModeShape::even, ModeShape::odd, ModeSha
 /// slug off the centre plane would be odd about that. No units; |a_k| <= 1 for `even`, sqrt(2) for the others. Phases
 /// drift with the flow: only powers can be averaged over time.
 struct DensityModes {
-  std::array<std::vector<double>, 3> power;  ///< [shape][k - 1]
+  std::array<std::vector<Vec2>, 3> amplitude;  ///< a_k, real and imaginary part, [shape][k - 1]
+  std::array<std::vector<double>, 3> power;    ///< |a_k|^2, [shape][k - 1]
   /// What the power is on average when the disks of these heights lie anywhere along the channel, independently:
   /// (1/N^2) sum_j phi(y_j)^2, which is 1/N for `even`. Disks exclude one another and so have less.
   std::array<double, 3> noise{};  ///< [shape]

@@ -98,9 +98,25 @@ KeyValues::Value KeyValues::checked(const SceneKey& key, const TomlValue& value)
                        "a channel has two walls", "write one number, or [lower, upper]");
       return std::array{number(key, (*pair)[0]), number(key, (*pair)[1])};
     }
+    case KeyKind::ascending:
+      return checked_ascending(key, value);
     default:
       return number(key, value);
   }
+}
+
+std::vector<double> KeyValues::checked_ascending(const SceneKey& key, const TomlValue& value) const {
+  const auto* array = std::get_if<TomlArray>(&value.data);
+  if (array == nullptr) return {number(key, value)};
+  std::vector<double> numbers;
+  for (const TomlValue& entry : *array) {
+    numbers.push_back(number(key, entry));
+    if (numbers.size() > 1 && numbers.back() <= numbers[numbers.size() - 2])
+      throw error_at(name_, entry.position,
+                     fmt::format("{} has {} after {}", key.name, numbers.back(), numbers[numbers.size() - 2]),
+                     "each is greater than the one before", "put them in order, each once");
+  }
+  return numbers;
 }
 
 double KeyValues::number(const SceneKey& key, const TomlValue& value) const {
@@ -119,7 +135,8 @@ double KeyValues::number(const SceneKey& key, const TomlValue& value) const {
 }
 
 InputError KeyValues::wrong_type(const SceneKey& key, const TomlValue& value, std::string remedy) const {
-  constexpr std::array<std::string_view, 4> wanted{"an integer", "a number", "a string", "a number or [lower, upper]"};
+  constexpr std::array<std::string_view, 5> wanted{"an integer", "a number", "a string", "a number or [lower, upper]",
+                                                   "a number or an array of them"};
   return error_at(name_, value.position, fmt::format("{} is {}", key.name, kind_of(value)),
                   fmt::format("it must be {}", wanted[static_cast<std::size_t>(key.kind)]), std::move(remedy));
 }

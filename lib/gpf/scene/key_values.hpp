@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "gpf/base/error.hpp"
 #include "gpf/scene/scene_keys.hpp"
@@ -33,6 +34,9 @@ class KeyValues {
   [[nodiscard]] std::optional<std::array<double, 2>> wall_pair(std::string_view key) const {
     return value<std::array<double, 2>>(key);
   }
+  [[nodiscard]] std::optional<std::vector<double>> ascending(std::string_view key) const {
+    return value<std::vector<double>>(key);
+  }
 
   /// An error placed at the first of `keys` that is given, else at the table of the first.
   [[nodiscard]] InputError error(std::initializer_list<std::string_view> keys, std::string_view problem,
@@ -41,7 +45,7 @@ class KeyValues {
   [[nodiscard]] InputError missing(std::string_view key, std::string example) const;
 
  private:
-  using Value = std::variant<std::int64_t, double, std::string, std::array<double, 2>>;
+  using Value = std::variant<std::int64_t, double, std::string, std::array<double, 2>, std::vector<double>>;
   struct Given {
     TomlPosition position;
     Value value;
@@ -55,6 +59,7 @@ class KeyValues {
 
   void read_table(std::string_view table, const TomlTable& entries);
   [[nodiscard]] Value checked(const SceneKey& key, const TomlValue& value) const;
+  [[nodiscard]] std::vector<double> checked_ascending(const SceneKey& key, const TomlValue& value) const;
   [[nodiscard]] double number(const SceneKey& key, const TomlValue& value) const;
   [[nodiscard]] InputError wrong_type(const SceneKey& key, const TomlValue& value, std::string remedy) const;
   void check_range(const SceneKey& key, TomlPosition position, double number, std::string_view written) const;

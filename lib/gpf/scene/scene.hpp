@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace gpf {
 
@@ -51,7 +52,8 @@ struct Run {
   double sample_interval = 0;          ///< time between samples of the fields
   std::int32_t bins = 18;              ///< bins across the width
   Detail detail = Detail::profiles;
-  std::int32_t density_modes = 0;  ///< streamwise wavenumbers k = 1, 2, ... whose density modes are measured; 0: none
+  std::int32_t density_modes = 0;   ///< streamwise wavenumbers k = 1, 2, ... whose density modes are measured; 0: none
+  std::vector<double> snapshots{};  ///< ascending times; the state at the sample nearest to each is kept
 };
 
 }  // namespace gpf

@@ -122,6 +122,12 @@ Run run_of(const KeyValues& values, const Scene& scene) {
     throw values.error({"density_modes"}, fmt::format("density_modes = {} in a periodic scene", run.density_modes),
                        "they are told apart by their shape across a channel",
                        "remove density_modes, or set geometry = \"channel\"");
+  run.snapshots = values.ascending("snapshots").value_or(std::vector<double>{});
+  if (!run.snapshots.empty() && run.snapshots.back() > run.start_up + run.duration)
+    throw values.error({"snapshots"},
+                       fmt::format("snapshots has {}, beyond start_up + duration = {}", run.snapshots.back(),
+                                   run.start_up + run.duration),
+                       "only until then is the run sure to last", "leave it out, or lengthen duration");
   return run;
 }
 

@@ -164,7 +164,18 @@ constexpr std::array keys{
              .meaning =
                  "density waves: wavenumbers k = 1, 2, ... along the channel of which the power is measured, for "
                  "slugs, waves and varicose waves; channel only",
-             .otherwise = "0: not measured"}};
+             .otherwise = "0: not measured"},
+    SceneKey{.table = "run",
+             .name = "snapshots",
+             .kind = KeyKind::ascending,
+             .least = 0,
+             .most = longest_time,
+             .least_excluded = true,
+             .range_reason = time_reason,
+             .meaning =
+                 "one or several, [t1, t2, ...], ascending, from the start of the run: times of which the state is "
+                 "kept, that of the nearest sample; none beyond start_up + duration",
+             .otherwise = "the last state only"}};
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 
 namespace gpf {
 
-enum class KeyKind { integer, real, word, wall_pair };
+enum class KeyKind { integer, real, word, wall_pair, ascending };
 
 struct SceneKey {
   std::string_view table, name;

@@ -12,4 +12,10 @@ struct State {
   std::vector<Vec2> position, velocity;
 };
 
+/// What a run keeps of itself on the way.
+struct Snapshot {
+  double time;
+  State state;
+};
+
 }  // namespace gpf

@@ -39,6 +39,7 @@ collisions_per_particle = 250
 sample_interval = 0.125
 bins = 12
 density_modes = 4
+snapshots = [1, 7.5]
 )";
   const SceneFile file = parsed(text);
   const Scene& s = file.scene;
@@ -60,6 +61,7 @@ density_modes = 4
   BOOST_TEST(file.run.sample_interval == 0.125);
   BOOST_TEST(file.run.bins == 12);
   BOOST_TEST(file.run.density_modes == 4);
+  BOOST_TEST(file.run.snapshots == (std::vector<double>{1, 7.5}), boost::test_tools::per_element());
   BOOST_TEST(file.text == text);
   BOOST_TEST(file.name == "test.toml");
 }
@@ -188,6 +190,20 @@ BOOST_AUTO_TEST_CASE(walls_come_in_pairs) {
                 {"wall_tangential_restitution = 1.5 is out of range", "[-1, 1]"});
   check_refused(with(channel_text, "= 0.5", "= [\"a\", 0]"), "7:32", {"wall_tangential_restitution is a string"});
   check_refused(with(channel_text, "= 0.5", "= [nan, 0]"), "7:32", {"not a finite number"});
+}
+
+BOOST_AUTO_TEST_CASE(snapshots_are_taken_in_order_and_within_the_run) {
+  const auto run = [](const std::string& snapshots) {
+    return with(channel_text, "duration = 10", "start_up = 5\nduration = 10\nsnapshots = " + snapshots);
+  };
+  BOOST_TEST(parsed(run("[]")).run.snapshots.empty());
+  BOOST_TEST(parsed(run("[2, 15]")).run.snapshots.back() == 15);
+  BOOST_TEST(parsed(run("4")).run.snapshots == std::vector<double>{4}, boost::test_tools::per_element());
+  check_refused(run("[4, 2]"), "11:17", {"snapshots has 2 after 4", "put them in order"});
+  check_refused(run("[4, 4]"), "11:17", {"snapshots has 4 after 4"});
+  check_refused(run("[0]"), "11:14", {"snapshots = 0 is out of range"});
+  check_refused(run("[\"a\"]"), "11:14", {"snapshots is a string"});
+  check_refused(run("[2, 15.5]"), "11:1", {"snapshots has 15.5, beyond start_up + duration = 15", "lengthen duration"});
 }
 
 BOOST_AUTO_TEST_CASE(a_periodic_scene_has_neither_walls_nor_gravity) {

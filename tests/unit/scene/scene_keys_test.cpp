@@ -44,11 +44,11 @@ BOOST_AUTO_TEST_CASE(the_keys_are_those_of_the_specification) {
                                            "gravity",
                                            "lattice",
                                            "seed"};
-  const std::set<std::string> wanted_run{
-      "start_up", "duration", "collisions_per_particle", "sample_interval", "bins", "detail", "density_modes"};
+  const std::set<std::string> wanted_run{"start_up", "duration", "collisions_per_particle", "sample_interval",
+                                         "bins",     "detail",   "density_modes",           "snapshots"};
   BOOST_TEST((scene == wanted_scene));
   BOOST_TEST((run == wanted_run));
-  BOOST_TEST(scene_keys().size() == 19u);
+  BOOST_TEST(scene_keys().size() == 20u);
 }
 
 BOOST_AUTO_TEST_CASE(the_help_says_all_about_every_key) {

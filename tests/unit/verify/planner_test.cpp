@@ -16,9 +16,10 @@ namespace {
 struct Fixture {
   test::TemporaryFolder folder;
   Fixture() {
-    std::ofstream(folder / "short.toml") << test::periodic_scene;
-    std::ofstream(folder / "twin.toml") << "# the same scene\n" + test::periodic_scene;
-    std::ofstream(folder / "long.toml") << test::replaced(test::periodic_scene, "duration = 8", "duration = 80");
+    std::filesystem::create_directory(folder / "scenes");
+    std::ofstream(folder / "scenes/short.toml") << test::periodic_scene;
+    std::ofstream(folder / "scenes/twin.toml") << "# the same scene\n" + test::periodic_scene;
+    std::ofstream(folder / "scenes/long.toml") << test::replaced(test::periodic_scene, "duration = 8", "duration = 80");
   }
   SceneLibrary scenes{folder.path()};
   RecordStore store{folder / "records", Trust::same_sources};
@@ -51,7 +52,7 @@ BOOST_AUTO_TEST_CASE(long_runs_come_first) {
 
 BOOST_AUTO_TEST_CASE(what_the_store_holds_is_not_run_again) {
   for (const int replica : {0, 2}) {
-    const SceneFile file = replica_of(scenes.at("short"), replica, 0);
+    const SceneFile file = replica_of(scenes.of("short").front().file, replica, 0);
     store.save(file, test::fake_record(file));
   }
   const std::vector<std::string> expected{"short #2", "short #4"};
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(what_the_store_holds_is_not_run_again) {
 }
 
 BOOST_AUTO_TEST_CASE(a_damaged_record_is_run_again) {
-  const SceneFile file = replica_of(scenes.at("short"), 0, 0);
+  const SceneFile file = replica_of(scenes.of("short").front().file, 0, 0);
   store.save(file, test::fake_record(file));
   BOOST_TEST(missing({{"short", 1}}).empty());
   std::filesystem::resize_file(store.path(file), 1000);
@@ -73,8 +74,8 @@ BOOST_AUTO_TEST_CASE(equal_scenes_under_two_names_are_run_once) {
 
 // Twice the time, twice the work; a target of collisions counts by itself: 36 disks, 1000 each, two per collision.
 BOOST_AUTO_TEST_CASE(the_expected_work_follows_from_time_or_collisions) {
-  const SceneFile& short_run = scenes.at("short");
-  BOOST_TEST(expected_collisions(scenes.at("long")) == 10 * expected_collisions(short_run),
+  const SceneFile& short_run = scenes.of("short").front().file;
+  BOOST_TEST(expected_collisions(scenes.of("long").front().file) == 10 * expected_collisions(short_run),
              boost::test_tools::tolerance(1e-12));
   SceneFile counted = short_run;
   counted.run.duration = 0;
@@ -82,6 +83,18 @@ BOOST_AUTO_TEST_CASE(the_expected_work_follows_from_time_or_collisions) {
   BOOST_TEST(expected_collisions(counted) == 18000, boost::test_tools::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_scene_that_does_not_exist_is_an_error) { BOOST_CHECK_THROW(scenes.at("none"), StorageError); }
+BOOST_AUTO_TEST_CASE(a_campaign_stands_for_its_points) {
+  std::filesystem::create_directory(folder / "campaigns");
+  std::ofstream(folder / "campaigns/map.toml")
+      << "title = \"A map\"\nreplicas = 4\n[axes]\nlength_over_width = [1, 2]\n[scene]\ngeometry = \"channel\"\n"
+         "area_fraction = 0.2\nwidth_over_diameter = 12\nnormal_restitution = 0.9\nwall_tangential_restitution = 0.5\n"
+         "[run]\nstart_up = 0\nduration = 8\ndensity_modes = 2\n";
+  const std::vector<std::string> expected{"map: length_over_width = 2 #1", "map: length_over_width = 2 #2",
+                                          "map: length_over_width = 1 #1", "map: length_over_width = 1 #2"};
+  BOOST_TEST(missing({{"map", 2}}) == expected, boost::test_tools::per_element());
+  BOOST_TEST(scenes.of("map")[1].file.scene.length_over_width == 2, boost::test_tools::tolerance(0.01));
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_does_not_exist_is_an_error) { BOOST_CHECK_THROW(scenes.of("none"), StorageError); }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -85,6 +85,29 @@ BOOST_AUTO_TEST_CASE(density_modes_are_another_record_and_leave_the_others_alone
   BOOST_TEST(with->sums.size() == with->blocks * (TallyLayout(without->run).size() + 3 * 3 + 5));
 }
 
+BOOST_AUTO_TEST_CASE(snapshots_come_back) {
+  SceneFile file = replica;
+  const std::string without = canonical_text(file.scene, file.run);
+  BOOST_TEST(without.find("snapshots") == std::string::npos);
+  file.run.snapshots = {0.5, 3};
+  Record record = test::fake_record(file);
+  for (const double time : file.run.snapshots) record.snapshots.push_back({time, record.final_state});
+  record.snapshots[1].state.position[5] = {0.25, 0.75};
+  record.snapshots[1].state.velocity[5] = {-1, 2};
+  store.save(file, record);
+  BOOST_TEST(!std::filesystem::exists(store.path(replica)));  // a run without them is another one
+  const auto found = store.load(file);
+  BOOST_REQUIRE(found.has_value());
+  BOOST_REQUIRE(found->snapshots.size() == 2U);
+  BOOST_TEST(found->snapshots[0].time == 0.5);
+  BOOST_TEST(found->snapshots[1].state.position[5].y == 0.75);
+  BOOST_TEST(found->snapshots[1].state.velocity[5].x == -1);
+  BOOST_TEST(found->snapshots[0].state.position[35].x == record.final_state.position[35].x);
+  record.snapshots.pop_back();
+  store.save(file, record);
+  BOOST_TEST(!store.load(file));
+}
+
 BOOST_AUTO_TEST_CASE(a_truncated_record_is_reported_and_not_used) {
   store.save(replica, test::fake_record(replica));
   const auto size = std::filesystem::file_size(store.path(replica));

@@ -30,6 +30,7 @@ Verdict full_verdict() {
   evidence.plot = {"Z(nu)", "nu", "Z", false, true, std::pair{0.0, 1.0}, std::nullopt, {}};
   evidence.plot.series.push_back({"measured", SeriesStyle::points, {1, 2}, {3, nan_value}, {0.1, 0.2}, {}, {}});
   evidence.plot.series.push_back({"band", SeriesStyle::band, {1, 2}, {}, {}, {1, 2}, {3, 4}});
+  evidence.drawings = {{"t = 4", "<svg title=\"\"/>"}};
   evidence.notes = {"first", "second, with \xc3\xa9"};
   Verdict v = judge(claim, Tier::standard, evidence, 4, 2, 3);
   v.cpu_seconds = 12.5;
@@ -69,6 +70,9 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   BOOST_TEST(r.health.size() == 2U);
   BOOST_TEST(!r.health[1].passed);
   BOOST_TEST(r.notes == v.notes, boost::test_tools::per_element());
+  BOOST_REQUIRE(r.drawings.size() == 1U);
+  BOOST_TEST(r.drawings[0].title == "t = 4");
+  BOOST_TEST(r.drawings[0].svg == "<svg title=\"\"/>");
   BOOST_TEST(r.plot.logy);
   BOOST_TEST((r.plot.xrange == std::pair{0.0, 1.0}));
   BOOST_TEST(!r.plot.yrange.has_value());

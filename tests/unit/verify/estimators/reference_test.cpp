@@ -5,9 +5,9 @@
 #include <set>
 
 #include "gpf/base/error.hpp"
-#include "gpf/scene/scene_file.hpp"
 #include "verify/claim.hpp"
 #include "verify/evidence.hpp"
+#include "verify/planner.hpp"
 
 namespace gpf::test {
 
@@ -22,7 +22,8 @@ BOOST_AUTO_TEST_CASE(each_claim_names_an_estimator_and_scenes_that_exist) {
     for (const Tier tier : {Tier::quick, Tier::standard, Tier::full})
       for (const std::string& scene : claim.scenes_in(tier)) used.insert(scene);
   }
-  for (const std::string& scene : used) BOOST_CHECK_NO_THROW(load_scene(folder / "scenes" / (scene + ".toml")));
+  SceneLibrary scenes(folder);
+  for (const std::string& scene : used) BOOST_CHECK_NO_THROW(scenes.of(scene));
   for (const auto& entry : std::filesystem::directory_iterator(folder / "scenes"))
     BOOST_TEST(used.contains(entry.path().stem().string()), entry.path().filename() << " is read by no claim");
 }
