@@ -70,8 +70,15 @@ std::vector<double> lengths_of(const std::vector<Point>& points) {
   return lengths;
 }
 
-/// The regions that a claim can speak of: the shortest, the longest and the widest channels, all that are neither the
-/// shortest nor the longest, and of these the length at which `wanted` is most frequent ("somewhere").
+double median_of(const std::vector<Point>& points, double (Point::*number)() const) {
+  std::vector<double> values;
+  for (const Point& p : points) values.push_back((p.*number)());
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+/// The regions that a claim can speak of: the shortest and the longest channels; of those between the length at which
+/// `wanted` is most frequent; those on either side of the median width and length; all.
 std::vector<const Point*> region(const std::string& name, const std::vector<Point>& points,
                                  const std::vector<Structure>& wanted) {
   const std::vector<double> lengths = lengths_of(points);
@@ -81,10 +88,12 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
   if (name == "shortest") return at(lengths.front());
   if (name == "longest") return at(lengths.back());
   if (name == "everywhere") return those(points, [](const Point&) { return true; });
-  if (name == "widest") {
-    double widest = 0;
-    for (const Point& p : points) widest = std::max(widest, p.width());
-    return those(points, [&](const Point& p) { return p.width() == widest; });
+  if (name == "narrow and short" || name == "wide and long") {
+    const double length = median_of(points, &Point::length), width = median_of(points, &Point::width);
+    return those(points, [&](const Point& p) {
+      return name == "wide and long" ? p.width() > width && p.length() > length
+                                     : p.width() < width && p.length() < length;
+    });
   }
   if (name == "somewhere between") {
     std::vector<const Point*> best;
@@ -94,7 +103,7 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
     return best;
   }
   throw InputError(fmt::format("unknown region '{}' of a phase diagram", name), "a claim's [structures] names it",
-                   "write shortest, longest, widest, everywhere or somewhere between");
+                   "write shortest, longest, somewhere between, narrow and short, wide and long, or everywhere");
 }
 
 std::string lengths_text(const std::vector<const Point*>& points) {

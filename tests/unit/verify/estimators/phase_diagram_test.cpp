@@ -78,17 +78,18 @@ BOOST_AUTO_TEST_CASE(each_region_is_judged_by_all_of_its_runs) {
   BOOST_TEST(evidence.plot.series.size() == 3U);  // "plug?", "slug?", "wave?": of four replicas none is sure
 }
 
-BOOST_AUTO_TEST_CASE(the_widest_channels_are_a_region_and_an_axis) {
+BOOST_AUTO_TEST_CASE(width_is_an_axis_with_regions_too) {
   SceneRecords records;
   for (const char* length : {"1", "2"}) {
     add(records, length, "12", "0.5", std::nullopt);
     add(records, length, "20", "0.5", Tally::mode_varicose);
   }
   Claim claim;
-  claim.structures = {{"widest", "varicose wave"}};
+  claim.structures = {{"narrow and short", "plug"}, {"wide and long", "varicose wave"}};
   claim.parameters = {{"most_varicose", 0.1}, {"alike", 0.75}};
   const Evidence evidence = estimate_phase_diagram(claim, Tier::full, records);
-  BOOST_TEST(shares(evidence) == (std::vector<double>{1, 1, 0.5}), boost::test_tools::per_element());
+  BOOST_TEST(shares(evidence) == (std::vector<double>{1, 1, 1, 0.5}), boost::test_tools::per_element());
+  BOOST_TEST(evidence.checks[0].values.size() == 4U);  // one of the four points
   BOOST_TEST(evidence.plot.ylabel == "W/d");
 }
 
