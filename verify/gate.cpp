@@ -75,7 +75,7 @@ class Gate {
     for (const std::string& name : claim.scenes_in(options_.tier))
       for (const NamedScene& scene : scenes_.of(name))
         for (int replica = 0; replica < verdict.replicas; ++replica) {
-          const SceneFile file = replica_of(scene.file, replica, verdict.release_seed);
+          const SceneFile file = replica_of(scene, replica, verdict.release_seed);
           names.push_back(record_name(file.scene, file.run));
           if (checked_.insert(names.back()).second && !store_.load(file))
             return fmt::format("the record of {} #{} is gone or damaged", scene.name, replica + 1);

@@ -16,7 +16,7 @@ const std::vector<NamedScene>& SceneLibrary::of(const std::string& name) {
   std::vector<NamedScene> scenes;
   if (is_campaign(name))
     for (const CampaignPoint& point : load_campaign(reference_ / "campaigns" / file).points)
-      scenes.push_back({name + ": " + point.label, point.scene});
+      scenes.push_back({name + ": " + point.label, point.scene, true});
   else
     scenes.push_back({name, load_scene(reference_ / "scenes" / file)});
   return scenes_.emplace(name, std::move(scenes)).first->second;
@@ -36,7 +36,7 @@ std::vector<RunJob> missing_runs(const Demand& demand, SceneLibrary& scenes, con
   for (const auto& [name, replicas] : demand)
     for (const NamedScene& scene : scenes.of(name))
       for (int replica = 0; replica < replicas; ++replica) {
-        RunJob job{replica_of(scene.file, replica, release_seed), fmt::format("{} #{}", scene.name, replica + 1)};
+        RunJob job{replica_of(scene, replica, release_seed), fmt::format("{} #{}", scene.name, replica + 1)};
         if (planned.insert(store.path(job.file)).second && !store.load(job.file)) jobs.push_back(std::move(job));
       }
   std::stable_sort(jobs.begin(), jobs.end(), [](const RunJob& a, const RunJob& b) {

@@ -18,7 +18,14 @@ namespace gpf {
 struct NamedScene {
   std::string name;
   SceneFile file;
+  bool of_campaign = false;
 };
+
+/// Its replica in that release. A point of a campaign has those that `gpf campaign` makes, whatever the release: they
+/// are too dear to be made anew for each, and serve both.
+inline SceneFile replica_of(const NamedScene& scene, int replica, std::uint64_t release_seed) {
+  return replica_of(scene.file, replica, scene.of_campaign ? 0 : release_seed);
+}
 
 /// What the names in a claim's [scenes] stand for, each file read once, when it is first asked for.
 class SceneLibrary {

@@ -19,7 +19,7 @@ Verdict review(const Claim& claim, Tier tier, int look, SceneLibrary& scenes, co
   for (const std::string& name : claim.scenes_in(tier))
     for (const NamedScene& scene : scenes.of(name))
       for (int replica = 0; replica < replicas; ++replica) {
-        const SceneFile file = replica_of(scene.file, replica, release_seed);
+        const SceneFile file = replica_of(scene, replica, release_seed);
         std::optional<Record> record = store.load(file);
         if (!record)
           throw InputError(fmt::format("claim '{}' cannot be judged", claim.id),

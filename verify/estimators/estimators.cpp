@@ -87,7 +87,8 @@ constexpr auto estimators =
                                                            {"n1_phase", estimate_n1_phase},
                                                            {"structure_classes", estimate_structure_classes},
                                                            {"density_waves", estimate_density_waves},
-                                                           {"phase_diagram", estimate_phase_diagram}});
+                                                           {"phase_diagram", estimate_phase_diagram},
+                                                           {"picture_labels", estimate_picture_labels}});
 
 }  // namespace
 

@@ -62,6 +62,7 @@ Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& re
 Evidence estimate_structure_classes(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_density_waves(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_phase_diagram(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_picture_labels(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_plug_tails(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_dense_tails(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_same_distributions(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -92,6 +92,9 @@ BOOST_AUTO_TEST_CASE(a_campaign_stands_for_its_points) {
   const std::vector<std::string> expected{"map: length_over_width = 2 #1", "map: length_over_width = 2 #2",
                                           "map: length_over_width = 1 #1", "map: length_over_width = 1 #2"};
   BOOST_TEST(missing({{"map", 2}}) == expected, boost::test_tools::per_element());
+  const SceneFile of_campaign = replica_of(scenes.of("map")[1].file, 0, 0);  // what gpf campaign makes
+  store.save(of_campaign, test::fake_record(of_campaign));
+  BOOST_TEST(missing({{"map", 1}}, 17).size() == 1U);  // serves every release
   BOOST_TEST(scenes.of("map")[1].file.scene.length_over_width == 2, boost::test_tools::tolerance(0.01));
 }
 

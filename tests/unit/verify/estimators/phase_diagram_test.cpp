@@ -93,6 +93,26 @@ BOOST_AUTO_TEST_CASE(width_is_an_axis_with_regions_too) {
   BOOST_TEST(evidence.plot.ylabel == "W/d");
 }
 
+BOOST_AUTO_TEST_CASE(pictures_are_compared_run_by_run) {
+  Claim claim;
+  claim.parameters = {{"agreeing", 0.8}};
+  claim.structures = {{"map: L 1, W 12, 0.1 #1", "plug"},
+                      {"map: L 2, W 12, 0.1 #4", "wave"},
+                      {"map: L 4, W 12, 0.1 #2", "wave"},
+                      {"map: L 4, W 12, 0.9 #2", "between the classes"}};
+  const Evidence evidence = estimate_picture_labels(claim, Tier::full, ladder());
+  BOOST_TEST(shares(evidence) == std::vector<double>{0.5}, boost::test_tools::per_element());
+  BOOST_TEST(evidence.drawings.size() == 4U);
+  BOOST_TEST(evidence.notes.size() == 4U);
+  for (const std::string name : {"map: L 1, W 12, 0.1 #5", "map: L 1, W 12, 0.1 #0", "map: L 1, W 12, 0.1",
+                                 "map: L 9, W 12, 0.1 #1", "map: L 1, W 12, 0.1 #x"}) {
+    claim.structures = {{name, "plug"}};
+    BOOST_CHECK_THROW(estimate_picture_labels(claim, Tier::full, ladder()), InputError);
+  }
+  claim.structures = {{"map: L 1, W 12, 0.1 #1", "ripple"}};
+  BOOST_CHECK_THROW(estimate_picture_labels(claim, Tier::full, ladder()), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_region_or_structure_is_refused) {
   Claim claim;
   claim.structures = {{"longer", "slug"}};
