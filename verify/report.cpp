@@ -125,7 +125,7 @@ fs::path write_report(const ReportData& data, const fs::path& output) {
 }
 
 fs::path write_report(const ReportOptions& options) {
-  return write_report(load_report_data(options.tier, options.store, options.reference), options.output);
+  return write_report(load_report_data(options.tier, options.store, options.reference, options.claims), options.output);
 }
 
 }  // namespace gpf

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "verify/claim.hpp"
 #include "verify/report_data.hpp"
@@ -11,6 +13,7 @@ namespace gpf {
 struct ReportOptions {
   Tier tier = Tier::quick;
   std::filesystem::path store = "records", reference = "reference", output = "reports";
+  std::vector<std::string> claims{};  ///< those to report on; none: all of the tier
 };
 
 /// Writes

@@ -15,6 +15,7 @@ void add_report_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ReportOptions>();
   auto tier = std::make_shared<std::string>("quick");
   CLI::App* command = app.add_subcommand("report", "Write the report of a tier from its verdicts; runs no physics");
+  command->add_option("claims", options->claims, "Claims to report on; none: all of the tier");
   command->add_option("--tier", *tier, "quick, standard or full")
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
@@ -25,7 +26,7 @@ void add_report_command(CLI::App& app, int& status) {
   command->footer(
       "The last line on standard output is the path of the front page. The exit status is 0 whatever the verdicts "
       "say.\n"
-      "Example:\n  gpf report\n");
+      "Examples:\n  gpf report\n  gpf report --tier full --output reports/full phase.moderate waves.pictures\n");
   command->callback([options, tier, &status] {
     options->tier = tier_named(*tier);
     fmt::print("{}\n", write_report(*options).string());

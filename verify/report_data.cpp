@@ -130,10 +130,19 @@ class Loader {
 
 }  // namespace
 
-ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference) {
+ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference,
+                            const std::vector<std::string>& chosen) {
   std::vector<Claim> claims = load_claims(reference / "claims");
   std::vector<Erratum> errata = errata_of(reference, claims);
   std::erase_if(claims, [tier](const Claim& c) { return !c.judged_in(tier); });
+  const std::size_t of_claims = claims.size();
+  for (const std::string& id : chosen)
+    if (std::none_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == id; }))
+      throw InputError(fmt::format("claim '{}' is not part of tier {}", id, name_of(tier)),
+                       "there is no such claim, or it has no scenes there", "see reference/claims/");
+  if (!chosen.empty())
+    std::erase_if(claims,
+                  [&](const Claim& c) { return std::find(chosen.begin(), chosen.end(), c.id) == chosen.end(); });
   std::vector<std::string> missing;
   for (const Claim& claim : claims)
     if (!std::filesystem::exists(verdict_path(store, tier, claim.id))) missing.push_back(claim.id);
@@ -148,6 +157,7 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
   for (Claim& claim : claims) loader.add(std::move(claim));
   ReportData data = std::move(loader).finish();
   data.errata = std::move(errata);
+  data.of_claims = of_claims;
   return data;
 }
 

@@ -34,6 +34,7 @@ using ProvenanceFacts = std::map<std::string, std::set<std::string>>;
 struct ReportData {
   Tier tier = Tier::quick;
   std::vector<JudgedClaim> claims;          ///< by id
+  std::size_t of_claims = 0;                ///< how many the tier has
   std::map<std::string, SceneCost> scenes;  ///< by name
   std::vector<Erratum> errata;              ///< of the source, in its order; none: no page
   ProvenanceFacts provenance;               ///< "version", "commit", "compiler", "flags", "libraries", "cpu", "system"
@@ -43,11 +44,12 @@ struct ReportData {
   double cpu_seconds = 0;  ///< of all runs, each counted once, and of the estimators
 };
 
-/// Everything of a tier, from <reference>/claims, <reference>/errata.toml (where there is one) and the store; runs
+/// Everything of a tier, or of the chosen claims of it where any are named, from <reference>/claims, <reference>/errata.toml (where there is one) and the store; runs
 /// nothing and judges nothing.
-/// Throws InputError when a claim of the tier has no verdict, or one on another text of the claim, another physics
+/// Throws InputError when a chosen claim is not one of the tier, or has no verdict, or one on another text of the claim, another physics
 /// version or other runs, when a record is gone, or when an erratum names a claim without a file; StorageError when a
 /// file cannot be read.
-ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference);
+ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference,
+                            const std::vector<std::string>& chosen = {});
 
 }  // namespace gpf

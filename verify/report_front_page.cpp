@@ -103,8 +103,11 @@ std::string reproduction(const ReportData& data) {
   std::string text = "\n## How to reproduce it\n\n";
   if (data.tier == Tier::quick)
     text += "From a fresh clone on Debian 12, dependencies included:\n\n    verify/quick\n\nOr, with gpf built:\n\n";
-  text += fmt::format("    gpf validate --tier {}{}\n    gpf report --tier {}\n", name_of(data.tier),
-                      release_seed_option(data), name_of(data.tier));
+  std::string chosen;
+  if (data.claims.size() < data.of_claims)
+    for (const JudgedClaim& c : data.claims) chosen += " " + c.claim.id;
+  text += fmt::format("    gpf validate --tier {}{}{}\n    gpf report --tier {}{}\n", name_of(data.tier),
+                      release_seed_option(data), chosen, name_of(data.tier), chosen);
   return text + "\nThe seeds of this tier are " +
          (data.tier == Tier::quick ? "fixed, so that a verdict changes only when the program does.\n"
                                    : "those of the release: another release draws other replicas.\n");
@@ -134,7 +137,10 @@ std::string provenance(const ReportData& data) {
 
 std::string front_page(const ReportData& data, const std::string& picture, const std::string& picture_caption) {
   std::string text = page_marker;
-  text += fmt::format("# Validation report, tier {}\n\n{}", name_of(data.tier), totals(data));
+  const bool chosen = data.claims.size() < data.of_claims;
+  text +=
+      fmt::format("# Validation report, tier {}{}\n\n{}", name_of(data.tier),
+                  chosen ? fmt::format(", {} of its {} claims", data.claims.size(), data.of_claims) : "", totals(data));
   text += "\n## Red or inconclusive\n\n" + troubles(data);
   text +=
       "\n## Claims\n\n" + claims_table(data) +

@@ -73,6 +73,17 @@ BOOST_AUTO_TEST_CASE(missing_verdicts_name_the_claims_and_the_command) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(chosen_claims_need_no_others) {
+  const Suite suite;
+  for (const std::string id : {"a.one", "b.two"}) suite.add_claim(id, gpf::test::synthetic_claim_text(id));
+  write_verdict(suite, "a.one", gpf::test::synthetic_claim_text("a.one"), {}, 4);
+  const gpf::ReportData data = gpf::load_report_data(Tier::quick, suite.store, suite.reference, {"a.one"});
+  BOOST_REQUIRE(data.claims.size() == 1U);
+  BOOST_TEST(data.claims[0].claim.id == "a.one");
+  BOOST_TEST(data.of_claims == 2U);
+  BOOST_CHECK_THROW(gpf::load_report_data(Tier::quick, suite.store, suite.reference, {"c.three"}), gpf::InputError);
+}
+
 BOOST_AUTO_TEST_CASE(a_verdict_on_another_text_is_refused) {
   const Suite suite;
   suite.add_claim("a.one", gpf::test::synthetic_claim_text("a.one"));

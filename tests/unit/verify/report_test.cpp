@@ -99,6 +99,35 @@ BOOST_AUTO_TEST_CASE(what_is_red_stands_first_then_what_is_open) {
   BOOST_TEST(contains(section(page, "Runs, and the claims that they serve"), "[a.open](claims/a.open.md)"));
 }
 
+BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_says_so_and_how_to_repeat_it) {
+  gpf::ReportData data = data_of({gpf::test::passing("a.one"), gpf::test::passing("b.two")});
+  const gpf::test::TemporaryFolder folder;
+  const auto page = [&](std::size_t of_claims) {
+    data.of_claims = of_claims;
+    gpf::write_report(data, folder.path());
+    return files_in(folder.path()).at("README.md");
+  };
+  BOOST_TEST(contains(page(5), ", 2 of its 5 claims\n"));
+  BOOST_TEST(contains(page(5), " a.one b.two\n    gpf report --tier "));
+  BOOST_TEST(!contains(page(2), ", 2 of its 2"));
+  BOOST_TEST(!contains(page(2), " a.one b.two"));
+}
+
+BOOST_AUTO_TEST_CASE(drawings_are_shown_below_the_plot_and_go_with_their_claim) {
+  JudgedClaim drawn = gpf::test::passing("a.one");
+  drawn.verdict.drawings = {{"t = 4", "<svg>4</svg>"}, {"t = 50", "<svg>50</svg>"}};
+  const gpf::test::TemporaryFolder folder;
+  gpf::write_report(data_of({drawn}), folder.path());
+  auto files = files_in(folder.path());
+  BOOST_TEST(files.at("claims/a.one-2.svg") == "<svg>50</svg>");
+  BOOST_TEST(contains(files.at("claims/a.one.md"), "## Snapshots\n\nt = 4:\n\n![t = 4](a.one-1.svg)\n"));
+  drawn.verdict.drawings.pop_back();
+  gpf::write_report(data_of({drawn}), folder.path());
+  files = files_in(folder.path());
+  BOOST_TEST(files.contains("claims/a.one-1.svg"));
+  BOOST_TEST(!files.contains("claims/a.one-2.svg"));
+}
+
 BOOST_AUTO_TEST_CASE(nothing_red_is_said_so) {
   const auto files = report_on({gpf::test::passing("a.one")});
   BOOST_TEST(section(files.at("README.md"), "Red or inconclusive") == "## Red or inconclusive\n\nNone.\n");
