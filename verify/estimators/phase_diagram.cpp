@@ -128,6 +128,12 @@ std::vector<double> runs_like_their_length(const std::vector<Point>& points) {
   return values;
 }
 
+/// The label of most runs at a point; where others have another one, or two are as frequent, that is said.
+std::string name_at(const PointResult& result) {
+  if (result.bistable) return "bistable";
+  return name_of(result.structure) + (result.share.hits < result.labels.size() ? ", not all" : "");
+}
+
 void draw(const std::vector<Point>& points, Evidence& evidence) {
   const bool widths =
       std::any_of(points.begin(), points.end(), [&](const Point& p) { return p.width() != points.front().width(); });
@@ -135,15 +141,16 @@ void draw(const std::vector<Point>& points, Evidence& evidence) {
   std::map<std::string, Series> by_name;
   double low = INFINITY, high = -INFINITY;
   for (const Point& p : points) {
-    Series& series = by_name[p.result.name()];
-    series.label = p.result.name();
+    const std::string name = name_at(p.result);
+    Series& series = by_name[name];
+    series.label = name;
     series.x.push_back(p.length());
     series.y.push_back(height(p));
     low = std::min(low, height(p)), high = std::max(high, height(p));
   }
   const std::vector<double> lengths = lengths_of(points);
   const double margin = 0.1 * (high - low), side = 0.1 * (lengths.back() - lengths.front());
-  evidence.plot = {.title = "Structures (? where fewer than five of five replicas agree)",
+  evidence.plot = {.title = "Structure of most replicas",
                    .xlabel = "L/W",
                    .ylabel = widths ? "W/d" : "beta_w of the lower wall",
                    .xrange = {{lengths.front() - side, lengths.back() + side}},

@@ -62,7 +62,7 @@ std::string snapshot_svg(const Scene& scene, const State& state, const std::stri
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" font-family=\"sans-serif\" "
       "font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"8\" y=\"18\">{}</text>\n",
-      std::max(along + 16, 640.0), below + (2 * most_ky + 3) * square_side, escaped(title));
+      std::max(along + 16, 760.0), below + (2 * most_ky + 3) * square_side, escaped(title));
   svg += fmt::format(
       "<rect x=\"8\" y=\"28\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" stroke=\"black\"/>\n<path "
       "stroke=\"#246\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\" d=\"",

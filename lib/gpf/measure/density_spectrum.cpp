@@ -36,11 +36,11 @@ DensityField density_field(const Scene& scene, const State& state, int along, in
 }
 
 DensitySpectrum::DensitySpectrum(const DensityField& field) : along_(field.along), across_(field.across) {
-  const auto half = static_cast<std::size_t>(across_ / 2 + 1), rows = static_cast<std::size_t>(along_);
+  const auto half = static_cast<std::size_t>(across_) / 2 + 1, rows = static_cast<std::size_t>(along_);
   const std::unique_ptr<double[], Free> in(fftw_alloc_real(field.value.size()));
   const std::unique_ptr<fftw_complex[], Free> out(fftw_alloc_complex(rows * half));
   // FFTW_ESTIMATE: the same plan, and so the same bits, each time.
-  const fftw_plan plan = fftw_plan_dft_r2c_2d(along_, across_, in.get(), out.get(), FFTW_ESTIMATE);
+  fftw_plan_s* const plan = fftw_plan_dft_r2c_2d(along_, across_, in.get(), out.get(), FFTW_ESTIMATE);
   std::copy(field.value.begin(), field.value.end(), in.get());
   fftw_execute(plan);
   fftw_destroy_plan(plan);
@@ -52,7 +52,7 @@ DensitySpectrum::DensitySpectrum(const DensityField& field) : along_(field.along
 double DensitySpectrum::power(int kx, int ky) const {
   if (ky < 0) kx = -kx, ky = -ky;
   const int row = ((kx % along_) + along_) % along_;
-  return power_[static_cast<std::size_t>(row) * static_cast<std::size_t>(across_ / 2 + 1) +
+  return power_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(across_) / 2 + 1) +
                 static_cast<std::size_t>(ky)];
 }
 

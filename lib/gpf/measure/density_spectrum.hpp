@@ -14,8 +14,13 @@ struct DensityField {
   int along = 0, across = 0;
   std::vector<double> value;  ///< along x across, row-major
 
-  [[nodiscard]] double& at(int i, int j) { return value[static_cast<std::size_t>(i * across + j)]; }
-  [[nodiscard]] double at(int i, int j) const { return value[static_cast<std::size_t>(i * across + j)]; }
+  [[nodiscard]] double& at(int i, int j) { return value[place(i, j)]; }
+  [[nodiscard]] double at(int i, int j) const { return value[place(i, j)]; }
+
+ private:
+  [[nodiscard]] std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(across) + static_cast<std::size_t>(j);
+  }
 };
 
 /// Area fraction of each cell, a disk counted where its centre lies. Throws InputError unless both numbers are

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(each_region_is_judged_by_all_of_its_runs) {
   BOOST_TEST(evidence.notes.size() == 6U);
   BOOST_TEST(evidence.drawings.size() == 3U);  // one row of the diagram
   BOOST_TEST(evidence.plot.ylabel == "beta_w of the lower wall");
-  BOOST_TEST(evidence.plot.series.size() == 3U);  // "plug?", "slug?", "wave?": of four replicas none is sure
+  BOOST_TEST(evidence.plot.series.size() == 3U);  // plug, slug, wave
 }
 
 BOOST_AUTO_TEST_CASE(width_is_an_axis_with_regions_too) {
