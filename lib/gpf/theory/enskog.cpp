@@ -16,6 +16,12 @@ double shear_viscosity(const Gas& gas) {
   return dilute * (1 / g + 2 * nu + (1 + 8 / pi) * nu * nu * g);
 }
 
+double heat_conductivity(const Gas& gas) {
+  const double nu = gas.area_fraction, g = gas.contact_value;
+  const double dilute = 2 * std::sqrt(gas.granular_temperature / pi) / gas.diameter;
+  return dilute * (1 / g + 3 * nu + (9.0 / 4 + 4 / pi) * nu * nu * g);
+}
+
 double dissipation_rate(const Gas& gas, double normal_restitution) {
   return gas.number_density() * collision_rate(gas) / 2 * (1 - normal_restitution * normal_restitution) *
          gas.granular_temperature;

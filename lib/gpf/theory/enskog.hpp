@@ -28,6 +28,10 @@ constexpr double mean_free_path(const Gas& gas) {
 /// eta0 [1/g + 2 nu + (1 + 8/pi) nu^2 g], eta0 = sqrt(T/pi)/(2d). Half the right side of thesis eq 4.9 with its m = 1.
 double shear_viscosity(const Gas& gas);
 
+/// Heat conductivity of the same in the same approximation (Gass 1971), for q = -kappa grad T with T = <u.u>/2 the
+/// fluctuation energy per mass: 4 eta0 [1/g + 3 nu + (9/4 + 4/pi) nu^2 g].
+double heat_conductivity(const Gas& gas);
+
 /// Energy lost per area and time at normal restitution e, Gaussian velocities assumed: n (omega/2) (1 - e^2) T, which
 /// for disks of density rho_p = 4/(pi d^2) is (4/sqrt pi)(1 - e^2) rho_p nu^2 g T^1.5/d (Jenkins & Richman 1985).
 double dissipation_rate(const Gas& gas, double normal_restitution);

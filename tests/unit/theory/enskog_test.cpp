@@ -77,6 +77,16 @@ BOOST_AUTO_TEST_CASE(viscosity) {
              boost::test_tools::tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(conductivity) {
+  // Dilute: four times the viscosity (Gass).
+  const Gas dilute{1e-9, 2.3, 0.71, 1};
+  BOOST_TEST(heat_conductivity(dilute) == 4 * shear_viscosity(dilute), boost::test_tools::tolerance(1e-8));
+  const double nu = 0.37, g = gas.contact_value;
+  BOOST_TEST(heat_conductivity(gas) * 0.71 / (2 * std::sqrt(2.3 / pi)) ==
+                 1 / g + 3 * nu + 9 * nu * nu * g / 4 + 4 * nu * nu * g / pi,
+             boost::test_tools::tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_CASE(sonine_coefficient) {
   BOOST_TEST(homogeneous_cooling_a2(1) == 0.0);
   BOOST_TEST(std::abs(homogeneous_cooling_a2(std::numbers::sqrt2 / 2)) < 1e-15);  // changes sign at 1/sqrt 2
