@@ -202,12 +202,13 @@ Evidence estimate_structure_classes(const Claim& claim, Tier, const SceneRecords
   for (int s = 1; s < all_classes; ++s) {
     const Structure structure = structures[static_cast<std::size_t>(s)];
     Series series{.label = name_of(structure)};
+    const int half = runs / 2;
     for (int step = 0; step <= 10; ++step) {
       channel.strength = step / 10.0;
-      const auto count = labels_of(structure, channel, modes, snapshots, runs / 2);
+      const auto count = labels_of(structure, channel, modes, snapshots, half);
       const auto found = count.find(name_of(structure));
       series.x.push_back(channel.strength);
-      series.y.push_back(found == count.end() ? 0 : static_cast<double>(found->second) / (runs / 2));
+      series.y.push_back(found == count.end() ? 0 : static_cast<double>(found->second) / half);
     }
     evidence.plot.series.push_back(std::move(series));
   }

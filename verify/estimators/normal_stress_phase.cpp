@@ -30,9 +30,9 @@ Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
 }
 
 // Claims n1.phase, n1.phase.rough (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap.
-// Within `coincidence` of zero in rows below e_n `elastic`, and beyond it, to the positive side, in the others. Two changes of sign between the same two
-// scenes are resolved only if these are no farther apart than `coincidence`; else the gap has no values, and nothing is
-// decided.
+// Within `coincidence` of zero in rows below e_n `elastic`, and beyond it, to the positive side, in the others. Two
+// changes of sign between the same two scenes are resolved only if these are no farther apart than `coincidence`; else
+// the gap has no values, and nothing is decided.
 Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
@@ -55,16 +55,14 @@ Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records
       for (const SceneRow& row : rows) add_point(points, row.restitution, sign_change(row, part, density).densities);
       evidence.plot.series.push_back(std::move(points));
     }
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    append(evidence.notes, crossing_notes(rows[k]));
+  for (const SceneRow& row : rows) {
+    append(evidence.notes, crossing_notes(row));
     for (const Density density : {Density::mean, Density::local}) {
-      const std::string label =
-          fmt::format("{}: {} of N_1 = 0 less that of N_1^c = 0", rows[k].label(), name_of(density));
-      if (rows[k].restitution >= claim.parameter("elastic"))
-        evidence.checks.push_back({.label = label, .values = gap(rows[k], density), .band = {coincidence, INFINITY}});
+      const std::string label = fmt::format("{}: {} of N_1 = 0 less that of N_1^c = 0", row.label(), name_of(density));
+      if (row.restitution >= claim.parameter("elastic"))
+        evidence.checks.push_back({.label = label, .values = gap(row, density), .band = {coincidence, INFINITY}});
       else
-        evidence.checks.push_back(
-            {.label = label, .values = gap(rows[k], density), .band = band_about(0, coincidence)});
+        evidence.checks.push_back({.label = label, .values = gap(row, density), .band = band_about(0, coincidence)});
     }
   }
   evidence.notes.emplace_back(centre_definition);

@@ -77,7 +77,7 @@ class BasicCalendarQueue {
       fetch(&at(slot(foreseen_ + 40)));
       fetch(&at(at(slot(foreseen_ + 32)).next));
       for (int number = 0; number < 4; ++number) {
-        const Index head = slot(foreseen_ + 24 - 6 * number);
+        const Index head = slot(foreseen_ + 24 - std::int64_t{6} * number);
         for (Index entry = at(head).next; entry != head; entry = at(entry).next) stage(number, entry / 2);
       }
     }

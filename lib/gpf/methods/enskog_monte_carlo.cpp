@@ -1,0 +1,199 @@
+#include "gpf/methods/enskog_monte_carlo.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gpf/base/error.hpp"
+#include "gpf/base/random.hpp"
+#include "gpf/base/vec2.hpp"
+#include "gpf/theory/contact_value.hpp"
+
+namespace gpf {
+namespace {
+
+constexpr double freezing = 0.7;
+// Streams of random numbers: far from each other, and from those of the Gaussian velocities, which start at 0.
+constexpr std::uint64_t start_stream = std::uint64_t{1} << 62, collision_stream = std::uint64_t{1} << 61;
+
+double unit(std::uint32_t word) { return (word + 0.5) * 0x1p-32; }
+
+void require(bool ok, const char* problem, const char* why, const char* remedy) {
+  if (!ok) throw InputError(problem, why, remedy);
+}
+
+}  // namespace
+
+EnskogMonteCarlo::EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting)
+    : scene_(scene),
+      channel_(scene.geometry == Geometry::channel),
+      diameter_(scene.diameter()),
+      bottom_(channel_ ? diameter_ / 2 : 0),
+      room_(channel_ ? 1 - diameter_ : 1),
+      step_(setting.step / scene.reference_collision_rate()),
+      weight_(0),
+      memory_(setting.step / 20),
+      cells_(setting.cells) {
+  require(setting.cells >= 4, "less than 4 cells", "the profiles would not be resolved", "take 40");
+  require(setting.particles_per_cell >= 10, "less than 10 particles in a cell",
+          "partners would be the same few again and again", "take 100 or more");
+  require(setting.step > 0 && setting.step <= 0.5, "the step is not between 0 and 1/2 mean free times",
+          "collisions and flight are taken in turn", "take 0.1");
+  const auto all = static_cast<std::size_t>(setting.cells) * static_cast<std::size_t>(setting.particles_per_cell);
+  weight_ = scene.particles / scene.length() / static_cast<double>(all);
+  Vec2 mean;
+  for (std::size_t i = 0; i < all; ++i) {
+    y_.push_back(bottom_ + room_ * (static_cast<double>(i) + unit(random_words(scene.seed, start_stream, i)[0])) /
+                               static_cast<double>(all));
+    velocity_.push_back(scene.velocity_scale() * gaussian_pair(scene.seed, i));
+    mean = mean + velocity_.back();
+  }
+  for (Vec2& c : velocity_) c = c - (1 / static_cast<double>(all)) * mean;
+  fastest_ = 8 * scene.reference_collision_rate();
+  const auto cells = static_cast<std::size_t>(cells_);
+  fraction_.assign(cells, scene.area_fraction() / room_);
+  for (auto* sums : {&count_, &sum_x_, &sum_y_, &squares_}) sums->assign(cells, 0);
+  sort_into_cells();
+}
+
+void EnskogMonteCarlo::advance(double until) {
+  const auto last = static_cast<std::uint64_t>(std::max(0.0, std::round(until / step_)));
+  while (steps_ < last) {
+    fly();
+    sort_into_cells();
+    collide();
+    ++steps_;
+  }
+}
+
+void EnskogMonteCarlo::fly() {
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    if (channel_) {
+      bounce(i, step_);
+    } else {
+      y_[i] += velocity_[i].y * step_;
+      y_[i] -= std::floor(y_[i]);
+    }
+  }
+}
+
+/// Flight for `time`, with all walls on the way.
+void EnskogMonteCarlo::bounce(std::size_t i, double time) {
+  Vec2& c = velocity_[i];
+  const double top = bottom_ + room_;
+  const auto fall = [&](double t) {
+    sums_.gravity_work += weight_ * scene_.gravity * (c.x * t + scene_.gravity * t * t / 2);
+    c.x += scene_.gravity * t;
+  };
+  for (double left = time; left > 0;) {
+    const double wall_y = c.y < 0 ? bottom_ : top;
+    const double until = c.y == 0 ? left : std::max(0.0, (wall_y - y_[i]) / c.y);
+    if (until >= left) {
+      y_[i] = std::clamp(y_[i] + c.y * left, bottom_, top);
+      fall(left);
+      return;
+    }
+    fall(until);
+    y_[i] = wall_y;
+    const auto wall = static_cast<std::size_t>(c.y < 0 ? lower : upper);
+    const double beta = scene_.wall_tangential_restitution[wall], e = scene_.wall_normal_restitution;
+    sums_.wall_normal[wall] += weight_ * (1 + e) * std::abs(c.y);
+    sums_.wall_tangential[wall] += weight_ * (1 - beta) * c.x;
+    sums_.wall_loss[wall] += weight_ * ((1 - square(beta)) * square(c.x) + (1 - square(e)) * square(c.y)) / 2;
+    c = {beta * c.x, -e * c.y};
+    left -= until;
+  }
+}
+
+int EnskogMonteCarlo::cell_of(double y) const {
+  return std::clamp(static_cast<int>((y - bottom_) / room_ * cells_), 0, cells_ - 1);
+}
+
+void EnskogMonteCarlo::sort_into_cells() {
+  first_.assign(static_cast<std::size_t>(cells_) + 1, 0);
+  for (const double y : y_) ++first_[static_cast<std::size_t>(cell_of(y)) + 1];
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  order_.resize(y_.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t i = 0; i < y_.size(); ++i) order_[next[static_cast<std::size_t>(cell_of(y_[i]))]++] = i;
+  const double of_one = std::numbers::pi * square(diameter_) / 4 * weight_ * cells_ / room_;
+  for (std::size_t c = 0; c < fraction_.size(); ++c) {
+    fraction_[c] += (of_one * (first_[c + 1] - first_[c]) - fraction_[c]) * memory_;
+    if (fraction_[c] > freezing)
+      throw PhysicsError(fmt::format("nu is {:.2f} in cell {} at time {:.4g}", fraction_[c], c, time()),
+                         "disks freeze at .7, and Enskog's equation does not know of it",
+                         "use the event-driven engine");
+  }
+}
+
+void EnskogMonteCarlo::collide() {
+  const double e = scene_.normal_restitution, candidates = fastest_ * step_ / 2;
+  const double density = weight_ * cells_ / room_;  // of one particle in a cell
+  double highest = 0;
+  for (std::size_t i = 0; i < y_.size(); ++i) {
+    // Often more than one candidate a step: whole ones, and the rest by chance.
+    std::uint64_t index = i;
+    for (double left = candidates; left > 0; left -= 1, index += y_.size()) {
+      const auto w = random_words(scene_.seed, collision_stream + steps_, index);
+      if (left < 1 && unit(w[0]) > left) break;
+      const double angle = 2 * std::numbers::pi * unit(w[1]);
+      const Vec2 s{std::cos(angle), std::sin(angle)};
+      double there = y_[i] + diameter_ * s.y, half_way = y_[i] + diameter_ * s.y / 2;
+      if (channel_ && (there < bottom_ || there > bottom_ + room_)) continue;
+      if (!channel_) there -= std::floor(there), half_way -= std::floor(half_way);
+      const auto cell = static_cast<std::size_t>(cell_of(there));
+      const std::uint32_t count = first_[cell + 1] - first_[cell];
+      if (count == 0) continue;
+      const std::uint32_t j =
+          order_[first_[cell] + std::min(static_cast<std::uint32_t>(unit(w[2]) * count), count - 1)];
+      if (j == i) continue;
+      const double approach = dot(velocity_[i] - velocity_[j], s);
+      if (approach <= 0) continue;
+      const double chi = henderson_contact_value(fraction_[static_cast<std::size_t>(cell_of(half_way))]);
+      const double rate = 2 * std::numbers::pi * diameter_ * chi * density * count * approach;
+      highest = std::max(highest, rate);
+      if (unit(w[3]) * fastest_ > rate) continue;
+      const Vec2 impulse = ((1 + e) / 2 * approach) * s;
+      velocity_[i] = velocity_[i] - impulse;
+      velocity_[j] = velocity_[j] + impulse;
+      sums_.pair_loss += weight_ * (1 - square(e)) / 4 * square(approach);
+      ++sums_.collisions;
+    }
+  }
+  fastest_ = std::max(fastest_, 1.2 * highest);
+}
+
+void EnskogMonteCarlo::sample() {
+  ++samples_;
+  for (std::size_t c = 0; c < count_.size(); ++c) {
+    count_[c] += first_[c + 1] - first_[c];
+    for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k) {
+      const Vec2 v = velocity_[order_[k]];
+      sum_x_[c] += v.x;
+      sum_y_[c] += v.y;
+      squares_[c] += dot(v, v);
+    }
+  }
+}
+
+MonteCarloProfile EnskogMonteCarlo::profile() const {
+  MonteCarloProfile p;
+  for (std::size_t c = 0; c < count_.size(); ++c) {
+    const double n = count_[c], ux = sum_x_[c] / n, uy = sum_y_[c] / n;
+    p.y.push_back(bottom_ + room_ * (static_cast<double>(c) + 0.5) / cells_);
+    p.mean_velocity.push_back(ux);
+    p.granular_temperature.push_back((squares_[c] / n - square(ux) - square(uy)) / 2);
+    p.area_fraction.push_back(std::numbers::pi * square(diameter_) / 4 * n / samples_ * weight_ * cells_ / room_);
+  }
+  return p;
+}
+
+double EnskogMonteCarlo::kinetic_energy() const {
+  double sum = 0;
+  for (const Vec2 v : velocity_) sum += dot(v, v);
+  return weight_ * sum / 2;
+}
+
+}  // namespace gpf
