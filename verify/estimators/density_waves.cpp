@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/snapshot.hpp"
@@ -130,13 +131,16 @@ void draw_snapshots(const SceneValues& scene, Evidence& evidence) {
   }
 }
 
-/// Contrast of the strongest mode of each shape against time, and the kinetic energy of a disk, replicas averaged.
-void draw(const SceneValues& scene, Plot& plot) {
+/// Contrast of the strongest mode of each shape against time, and the kinetic energy of a disk, replicas averaged. Of
+/// more than two scenes, `crowded`, only the shape that is the strongest in the end.
+void draw(const SceneValues& scene, bool crowded, Plot& plot) {
   const Record& first = scene.records().front();
   const double window = window_length(first), begin = first.run.start_up;
-  for (const auto& [name, member] : {std::pair{"even (slug, clumps)", &DensityContrast::even},
-                                     {"odd (wave)", &DensityContrast::odd},
-                                     {"varicose", &DensityContrast::varicose}}) {
+  const ModeShape strongest = strongest_mode(density_contrast_between(first, first.time - 2 * window, INFINITY)).shape;
+  for (const auto& [name, shape, member] : {std::tuple{"even (slug, clumps)", ModeShape::even, &DensityContrast::even},
+                                            {"odd (wave)", ModeShape::odd, &DensityContrast::odd},
+                                            {"varicose", ModeShape::varicose, &DensityContrast::varicose}}) {
+    if (crowded && shape != strongest) continue;
     Series series{.label = fmt::format("{}, {}", scene.name(), name), .style = SeriesStyle::line};
     for (std::size_t w = 0; (w + 1) * blocks_per_window <= first.blocks; ++w) {
       const double from = begin + static_cast<double>(w) * window, to = from + window;
@@ -227,7 +231,7 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
   Evidence evidence;
   evidence.plot = {.title = "Density modes and kinetic energy",
                    .xlabel = "t",
-                   .ylabel = "|a|² over that of independent disks; energy of a disk, m g W",
+                   .ylabel = "contrast of a mode; energy, m g W",
                    .logy = true};
   for (const auto& [name, stated] : claim.structures)
     if (!records.contains(name))
@@ -248,7 +252,7 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
     check_class(scene, late, stated->second, evidence);
     check_shift(scene, parameter("toward_rougher", 0), evidence);
     note_motion(scene, late, evidence);
-    draw(scene, evidence.plot);
+    draw(scene, records.size() > 2, evidence.plot);
     draw_snapshots(scene, evidence);
   }
   return evidence;
