@@ -16,7 +16,8 @@
 namespace gpf {
 namespace {
 
-constexpr std::array<std::string_view, 6> campaign_keys{"title", "replicas", "most_replicas", "axes", "scene", "run"};
+constexpr std::array<std::string_view, 7> campaign_keys{"title", "replicas", "most_replicas", "precision", "axes",
+                                                        "scene", "run"};
 constexpr std::int64_t most_replicas_of_a_point = 1000;
 
 InputError no_value() {
@@ -145,6 +146,10 @@ Campaign parse_campaign(std::string_view text, const std::string& name) {
   campaign.replicas = replicas_in(file, "replicas", 1);
   campaign.most_replicas =
       file.has("most_replicas") ? replicas_in(file, "most_replicas", campaign.replicas) : campaign.replicas;
+  if (file.has("precision")) campaign.precision = file.number("precision");
+  if (file.has("precision") && !(campaign.precision > 0 && campaign.precision < 1))
+    throw file.error("precision", fmt::format("precision = {}", campaign.precision),
+                     "it is the relative standard error wanted of the mean flow", "write 0.01 for one per cent");
   const TomlFields axes = file.table("axes", "[axes]", {});
   campaign.axes = axes_of(axes);
   std::size_t points = 1;

@@ -28,6 +28,7 @@ struct Campaign {
   std::string title;
   int replicas = 0;       ///< of each point
   int most_replicas = 0;  ///< of a point on a boundary, for --adaptive; `replicas` when the file gives none
+  double precision = 0;   ///< wanted of each point's mean flow, for --adaptive: standard error over mean; 0: none
   std::vector<CampaignAxis> axes;
   std::vector<CampaignPoint> points;  ///< all combinations, the last axis fastest
   std::string text;                   ///< the file as read
@@ -40,7 +41,7 @@ struct Campaign {
 inline constexpr std::size_t most_campaign_points = 10000;
 
 /// Reads
-///   title = "..."          replicas = 4          most_replicas = 16   (optional)
+///   title = "..."          replicas = 4          most_replicas = 16   precision = 0.01   (both optional)
 ///   [axes]                 a list of values for each varied key of [scene] or [run]
 ///   [scene], [run]         as in a scene file, without the varied keys
 /// Throws InputError, with file and line, for unknown or missing keys, an axis without values or with one twice, a key

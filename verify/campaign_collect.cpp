@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -44,14 +45,15 @@ std::vector<std::string> row_of(const Campaign& campaign, std::size_t point, con
   row.push_back(tally_of(result.labels));
   row.push_back(fmt::format("{:.3f}", over(result.band_shift)));
   row.push_back(fmt::format("{:.4f}", over(result.mean_flow)));
+  row.push_back(fmt::format("{:.2g}", over_replicas(result.mean_flow).error));
   return row;
 }
 
 std::vector<std::string> header_of(const Campaign& campaign) {
   std::vector<std::string> header;
   for (const CampaignAxis& axis : campaign.axes) header.push_back(axis.key);
-  for (const char* name :
-       {"N", "structure", "replicas", "share, 95 % on either side", "all", "band shift, W", "mean flow"})
+  for (const char* name : {"N", "structure", "replicas", "share, 95 % on either side", "all", "band shift, W",
+                           "mean flow", "its standard error"})
     header.emplace_back(name);
   return header;
 }
@@ -150,8 +152,11 @@ std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<Po
     const std::vector<std::size_t> near = campaign.neighbours(p);
     const bool boundary = std::any_of(near.begin(), near.end(),
                                       [&](std::size_t n) { return results[n].structure != results[p].structure; });
+    const Estimate flow = over_replicas(results[p].mean_flow);
+    const bool imprecise = campaign.precision > 0 && !(flow.error <= campaign.precision * std::abs(flow.mean));
     const int done = std::max(static_cast<int>(results[p].labels.size()), campaign.replicas);
-    replicas.push_back(boundary || !results[p].decided() ? std::min(2 * done, campaign.most_replicas) : done);
+    replicas.push_back(boundary || imprecise || !results[p].decided() ? std::min(2 * done, campaign.most_replicas)
+                                                                      : done);
     replicas.back() = std::max(replicas.back(), done);
   }
   return replicas;

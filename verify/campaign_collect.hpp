@@ -38,8 +38,8 @@ PointResult result_of(std::vector<std::optional<Structure>> labels);
 std::vector<PointResult> collect(const Campaign& campaign, const Manifest& manifest, const RecordStore& store);
 
 /// Replicas that each point should have so that the boundaries between structures are known: twice as many as are done,
-/// up to most_replicas, at points that are not decided or that have a neighbour of another structure; as many as are
-/// done elsewhere.
+/// up to most_replicas, at points that are not decided, that have a neighbour of another structure or whose mean flow
+/// is not as precise as the campaign wants; as many as are done elsewhere.
 std::vector<int> refined_replicas(const Campaign& campaign, const std::vector<PointResult>& results);
 
 /// Anew: a picture of the last state of each point's first finished replica, into `folder`/<point>.svg, and a page that

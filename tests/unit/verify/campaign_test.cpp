@@ -117,6 +117,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_a_campaign_is_refused_with_place_and_remedy)
       contains(refusal(head + "[axes]\nlength_over_width = [1, -2]\nwall_tangential_restitution = [0.5]\n" + scene),
                "length_over_width = -2"));
   BOOST_TEST(contains(refusal("title = \"x\"\nreplicas = 0\n" + axes + scene), "replicas = 0"));
+  BOOST_TEST(contains(refusal(head + "precision = 1.5\n" + axes + scene), "precision = 1.5"));
+  BOOST_TEST(parse_campaign(head + "precision = 0.02\n" + axes + scene, "c.toml").precision == 0.02);
   BOOST_TEST(contains(refusal("title = \"x\"\nreplicas = 8\nmost_replicas = 4\n" + axes + scene), "most_replicas = 4"));
   BOOST_TEST(contains(refusal(head + axes), "scene"));
   std::string plain = scene;
@@ -230,6 +232,13 @@ BOOST_FIXTURE_TEST_CASE(points_without_neighbours_of_another_class_need_no_more,
   const Manifest all = plan(flat, std::vector<int>(3, 8), {});
   for (const ManifestEntry& entry : all) store.save(job_of(entry).file, record_with(job_of(entry).file, 1, 1));
   for (const int r : refined_replicas(flat, collect(flat, all, store))) BOOST_TEST(r == 8);
+  Campaign precise = flat;
+  std::vector<PointResult> results = collect(flat, all, store);
+  for (PointResult& result : results) result.mean_flow = {10, 10.2, 9.8, 10, 10.1, 9.9, 10, 10};  // .044 of 10
+  precise.precision = 0.005;
+  for (const int r : refined_replicas(precise, results)) BOOST_TEST(r == 8);
+  precise.precision = 0.004;
+  for (const int r : refined_replicas(precise, results)) BOOST_TEST(r == 16);
   BOOST_TEST(collect(flat, {}, store)[0].name() == "no run");
   BOOST_TEST(phase_diagram(flat, collect(flat, all, store)).series.size() == 1U);
 }
