@@ -40,7 +40,7 @@ void add_explain_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("explain", "Say what a claim states, how it is tested and how far off it may be");
   command->add_option("claim", options->claim, "Id of the claim")->required();
-  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")
+  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
       ->capture_default_str();
   command->footer("Example:\n  gpf explain eos.global\n");
   command->callback([options, &status] {

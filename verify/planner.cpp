@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "gpf/base/error.hpp"
 #include "verify/campaign.hpp"
 
 namespace gpf {
@@ -14,6 +15,9 @@ const std::vector<NamedScene>& SceneLibrary::of(const std::string& name) {
   if (found != scenes_.end()) return found->second;
   const std::string file = name + ".toml";
   std::vector<NamedScene> scenes;
+  if (is_campaign(name) && std::filesystem::exists(reference_ / "scenes" / file))
+    throw InputError(fmt::format("'{}' is a scene and a campaign", name), "a claim's [scenes] could mean either",
+                     "rename one of the files");
   if (is_campaign(name))
     for (const CampaignPoint& point : load_campaign(reference_ / "campaigns" / file).points)
       scenes.push_back({name + ": " + point.label, point.scene, true});

@@ -37,12 +37,11 @@ class SceneLibrary {
   const std::vector<NamedScene>& of(const std::string& name);
   /// How many those are; a scene file is not read for it.
   std::size_t count(const std::string& name) { return is_campaign(name) ? of(name).size() : 1; }
-
- private:
   [[nodiscard]] bool is_campaign(const std::string& name) const {
     return std::filesystem::exists(reference_ / "campaigns" / (name + ".toml"));
   }
 
+ private:
   std::filesystem::path reference_;
   std::map<std::string, std::vector<NamedScene>> scenes_;
 };

@@ -55,7 +55,7 @@ class ReportWriter {
       pictures.plot = id + ".svg";
     }
     for (const Drawing& drawing : judged.verdict.drawings) {
-      pictures.drawings.push_back(fmt::format("{}-{}.svg", id, pictures.drawings.size() + 1));
+      pictures.drawings.push_back(fmt::format("{}+{}.svg", id, pictures.drawings.size() + 1));
       write(drawing.svg, "claims/" + pictures.drawings.back());
     }
     write(claim_page(judged, pictures), fmt::format("claims/{}.md", id));
@@ -85,8 +85,8 @@ class ReportWriter {
         ids.push_back(entry.path().stem().string());
     for (const std::string& id : ids) {
       std::vector<std::string> names{"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"};
-      for (int k = 1; fs::exists(output_ / fmt::format("claims/{}-{}.svg", id, k)); ++k)
-        names.push_back(fmt::format("claims/{}-{}.svg", id, k));
+      for (int k = 1; fs::exists(output_ / fmt::format("claims/{}+{}.svg", id, k)); ++k)
+        names.push_back(fmt::format("claims/{}+{}.svg", id, k));  // '+' is in no id
       for (const std::string& name : names)
         if (!written_.contains(name)) fs::remove(output_ / name);
     }
@@ -120,7 +120,8 @@ fs::path write_report(const ReportData& data, const fs::path& output) {
   for (const JudgedClaim& judged : data.claims) writer.claim(judged);
   writer.errata(data);
   fs::path front = writer.front(data);
-  writer.remove_leftovers();
+  // A report on a part of the claims says nothing of the others' pages.
+  if (data.claims.size() >= data.of_claims) writer.remove_leftovers();
   return front;
 }
 

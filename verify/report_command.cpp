@@ -20,14 +20,19 @@ void add_report_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
   command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
-  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")
+  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
       ->capture_default_str();
-  command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
+  CLI::Option* output =
+      command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
   command->footer(
       "The last line on standard output is the path of the front page. The exit status is 0 whatever the verdicts "
       "say.\n"
       "Examples:\n  gpf report\n  gpf report --tier full --output reports/full phase.moderate waves.pictures\n");
-  command->callback([options, tier, &status] {
+  command->callback([options, tier, output, &status] {
+    if (!options->claims.empty() && output->count() == 0)
+      throw InputError("a report on chosen claims without --output",
+                       fmt::format("in '{}' it would replace the report of a whole tier", options->output.string()),
+                       "name a folder: --output reports/full");
     options->tier = tier_named(*tier);
     fmt::print("{}\n", write_report(*options).string());
     status = static_cast<int>(ExitStatus::success);

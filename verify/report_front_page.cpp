@@ -104,13 +104,17 @@ std::string reproduction(const ReportData& data) {
   if (data.tier == Tier::quick)
     text += "From a fresh clone on Debian 12, dependencies included:\n\n    verify/quick\n\nOr, with gpf built:\n\n";
   std::string chosen;
-  if (data.claims.size() < data.of_claims)
+  if (data.claims.size() < data.of_claims) {
     for (const JudgedClaim& c : data.claims) chosen += " " + c.claim.id;
-  text += fmt::format("    gpf validate --tier {}{}{}\n    gpf report --tier {}{}\n", name_of(data.tier),
-                      release_seed_option(data), chosen, name_of(data.tier), chosen);
+  }
+  text += fmt::format("    gpf validate --tier {}{}{}\n    gpf report --tier {}{}{}\n", name_of(data.tier),
+                      release_seed_option(data), chosen, name_of(data.tier), chosen.empty() ? "" : " --output FOLDER",
+                      chosen);
   return text + "\nThe seeds of this tier are " +
-         (data.tier == Tier::quick ? "fixed, so that a verdict changes only when the program does.\n"
-                                   : "those of the release: another release draws other replicas.\n");
+         (data.tier == Tier::quick
+              ? "fixed, so that a verdict changes only when the program does.\n"
+              : "those of the release: another release draws other replicas. The points of a campaign are the "
+                "exception:\ntheir replicas are those that gpf campaign makes, in every release.\n");
 }
 
 std::string provenance(const ReportData& data) {

@@ -36,7 +36,7 @@ void add_validate_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
   command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
-  command->add_option("--reference", options->reference, "Folder that holds claims/ and scenes/")
+  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
       ->capture_default_str();
   command->add_option("--release-seed", options->release_seed,
                       "standard and full: seed of this release's replicas (default: from the version)");

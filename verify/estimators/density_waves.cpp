@@ -98,7 +98,9 @@ void note_motion(const SceneValues& scene, const Window& late, Evidence& evidenc
   for (const Record& record : scene.records()) {
     const StrongestMode mode = strongest_mode(density_contrast_between(record, late.from, late.to));
     if (mode.contrast < visible_contrast) continue;
-    if (const auto onset = onset_time(record, mode.shape, mode.k, blocks_per_window)) onsets.push_back(*onset);
+    const bool from_the_start = record.run.start_up == 0;  // else it may have come up before anything was measured
+    if (const auto onset = onset_time(record, mode.shape, mode.k, blocks_per_window); onset && from_the_start)
+      onsets.push_back(*onset);
     if (const auto speed = mode_speed(record, mode.shape, mode.k)) {
       speeds.push_back(*speed);
       flows.push_back(snapshot_flow(record));
@@ -111,14 +113,15 @@ void note_motion(const SceneValues& scene, const Window& late, Evidence& evidenc
   };
   if (onsets.size() > 1)
     evidence.notes.push_back(fmt::format(
-        "{}: the strongest mode of a run is first visible, and stays so, at t = {} ({} of "
+        "{}: the strongest mode of a run is first visible, and in half of the time from then on, at t = {} ({} of "
         "{} runs; windows of {:.2g}).",
         scene.name(), text(onsets), onsets.size(), scene.replicas(), window_length(scene.records().front())));
   if (speeds.size() > 1)
-    evidence.notes.push_back(fmt::format(
-        "{}: it moves along the channel at {} (gW)^1/2, {} of the mean velocity of the disks, {} (in the last "
-        "snapshots of {} runs).",
-        scene.name(), text(speeds), text(lags), text(flows), speeds.size()));
+    evidence.notes.push_back(
+        fmt::format("{}: it moves along the channel at {} (gW)^1/2, {} of the mean velocity of the disks, {}, the "
+                    "nearest to that of the speeds which its phase allows (last "
+                    "snapshots of {} runs).",
+                    scene.name(), text(speeds), text(lags), text(flows), speeds.size()));
 }
 
 /// The first replica's snapshots, without the last, which is there for the speed.
@@ -155,7 +158,9 @@ void draw(const SceneValues& scene, bool crowded, Plot& plot) {
     plot.series.push_back(std::move(series));
   }
   Series energy{.label = fmt::format("{}, energy", scene.name()), .style = SeriesStyle::line};
-  for (std::size_t h = 0; h < first.history.time.size(); ++h) {
+  std::size_t moments = first.history.time.size();
+  for (const Record& record : scene.records()) moments = std::min(moments, record.history.time.size());
+  for (std::size_t h = 0; h < moments; ++h) {
     double sum = 0;
     for (const Record& record : scene.records()) sum += record.history.energy[h];
     energy.x.push_back(first.history.time[h]);

@@ -40,11 +40,16 @@ std::vector<Point> points_of(const SceneRecords& records) {
 
 /// 1 for each run of the points that has one of the structures, else 0. Points are alike to the claim, so that their
 /// runs together are judged; where they are not, the interval of a common share is wider than need be.
-std::vector<double> hits(const std::vector<const Point*>& points, const std::vector<Structure>& wanted) {
+enum class Runs { all, even, odd };
+std::vector<double> hits(const std::vector<const Point*>& points, const std::vector<Structure>& wanted,
+                         Runs runs = Runs::all) {
   std::vector<double> values;
   for (const Point* point : points)
-    for (const auto& label : point->result.labels)
+    for (std::size_t r = 0; r < point->result.labels.size(); ++r) {
+      if (runs != Runs::all && (r % 2 == 0) != (runs == Runs::even)) continue;
+      const auto& label = point->result.labels[r];
       values.push_back(label && std::find(wanted.begin(), wanted.end(), *label) != wanted.end() ? 1 : 0);
+    }
   return values;
 }
 
@@ -77,8 +82,11 @@ double median_of(const std::vector<Point>& points, double (Point::*number)() con
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
+constexpr const char* somewhere = "somewhere between";
+
 /// The regions that a claim can speak of: the shortest and the longest channels; of those between the length at which
-/// `wanted` is most frequent; those on either side of the median width and length; all.
+/// `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those on either side of the
+/// median width and length; all.
 std::vector<const Point*> region(const std::string& name, const std::vector<Point>& points,
                                  const std::vector<Structure>& wanted) {
   const std::vector<double> lengths = lengths_of(points);
@@ -95,10 +103,11 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
                                      : p.width() < width && p.length() < length;
     });
   }
-  if (name == "somewhere between") {
+  if (name == somewhere) {
     std::vector<const Point*> best;
     for (std::size_t l = 1; l + 1 < lengths.size(); ++l)
-      if (const auto here = at(lengths[l]); best.empty() || mean(hits(here, wanted)) > mean(hits(best, wanted)))
+      if (const auto here = at(lengths[l]);
+          best.empty() || mean(hits(here, wanted, Runs::even)) > mean(hits(best, wanted, Runs::even)))
         best = here;
     return best;
   }
@@ -112,18 +121,21 @@ std::string lengths_text(const std::vector<const Point*>& points) {
   return fmt::format("L/W {}", fmt::join(texts, ", "));
 }
 
-/// Of all runs, those with the label that is the most frequent one at their length (and width): how little the rest
-/// matters.
+/// Of all runs, those with the label that is the most frequent one at the other points of their length and width: how
+/// little the rest matters. A tie, or "between the classes", is no label that a run could share.
 std::vector<double> runs_like_their_length(const std::vector<Point>& points) {
   std::vector<double> values;
   for (const Point& point : points) {
     std::map<std::optional<Structure>, int> count;
     for (const Point& other : points)
-      if (same_length(other.length(), point.length()) && other.width() == point.width())
+      if (&other != &point && same_length(other.length(), point.length()) && other.width() == point.width())
         for (const auto& label : other.result.labels) ++count[label];
+    if (count.empty()) continue;  // nothing but the length and the width varies here
     const auto most =
         std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    for (const auto& label : point.result.labels) values.push_back(label == most->first ? 1 : 0);
+    const bool tie =
+        std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second == most->second; }) != 1;
+    for (const auto& label : point.result.labels) values.push_back(!tie && label && label == most->first ? 1 : 0);
   }
   return values;
 }
@@ -171,8 +183,8 @@ void draw(const std::vector<Point>& points, Evidence& evidence) {
 }  // namespace
 
 // [structures] states, for each region of the diagram, what more than half of its runs are; parameter `alike`, where
-// given, which share of all runs has the label that is the most frequent one at their length and width;
-// `most_varicose`, which share is a varicose wave at most.
+// given, which share of all runs has the label that is the most frequent one at the other points of their length and
+// width; `most_varicose`, which share is a varicose wave at most.
 Evidence estimate_phase_diagram(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<Point> points = points_of(records);
   Evidence evidence;
@@ -183,11 +195,12 @@ Evidence estimate_phase_diagram(const Claim& claim, Tier, const SceneRecords& re
   for (const auto& [name, stated] : claim.structures) {
     const std::vector<Structure> wanted = structures_named(stated);
     const std::vector<const Point*> chosen = region(name, points, wanted);
-    add(fmt::format("{} ({}): runs with a {}", name, lengths_text(chosen), stated), hits(chosen, wanted), majority);
+    add(fmt::format("{} ({}): runs with a {}", name, lengths_text(chosen), stated),
+        hits(chosen, wanted, name == somewhere ? Runs::odd : Runs::all), majority);
   }
   if (claim.parameters.contains("alike"))
-    add("runs with the label that is the most frequent one at their L/W and W/d", runs_like_their_length(points),
-        {claim.parameter("alike"), 1});
+    add("runs with the label that is the most frequent one at the other points of their L/W and W/d",
+        runs_like_their_length(points), {claim.parameter("alike"), 1});
   if (claim.parameters.contains("most_varicose"))
     add("runs with a varicose wave", hits(region("everywhere", points, {}), {Structure::varicose}),
         {0, claim.parameter("most_varicose")});

@@ -41,7 +41,9 @@ Evidence estimate_picture_labels(const Claim& claim, Tier, const SceneRecords& r
               .share = true};
   std::map<std::pair<std::string, std::string>, int> count;
   for (const auto& [name, eye] : claim.structures) {
-    if (eye != name_of(std::nullopt)) static_cast<void>(structures_named(eye));
+    if (eye != name_of(std::nullopt) && structures_named(eye).size() != 1)
+      throw InputError(fmt::format("'{}' of run '{}' is more than one structure", eye, name),
+                       "an eye that cannot tell says 'between the classes'", "correct the claim file");
     const Record& record = run_named(name, records);
     const std::string label = name_of(classify(density_contrasts(SceneValues(name, {record})).front()));
     check.values.push_back(eye == label ? 1 : 0);

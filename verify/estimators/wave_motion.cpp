@@ -49,7 +49,8 @@ std::optional<double> onset_time(const Record& record, ModeShape shape, int k, s
 }
 
 std::optional<double> mode_speed(const Record& record, ModeShape shape, int k) {
-  if (record.snapshots.size() < 2) return std::nullopt;
+  if (record.snapshots.size() < 2 || !(record.snapshots.back().time > record.snapshots.end()[-2].time))
+    return std::nullopt;
   const Snapshot &before = record.snapshots[record.snapshots.size() - 2], &after = record.snapshots.back();
   const Vec2 a = amplitude(record, before, shape, k), b = amplitude(record, after, shape, k);
   const double turned = std::atan2(a.x * b.y - a.y * b.x, dot(a, b));

@@ -23,7 +23,7 @@ std::optional<double> onset_time(const Record& record, ModeShape shape, int k, s
 
 /// Speed of the mode between the last two snapshots of a record, from the advance of its phase, which is known but for
 /// whole turns: of the speeds L/(k dt) apart the one nearest to the mean velocity of the disks. In units of W over the
-/// scene's unit of time; nothing when the record has less than two snapshots.
+/// scene's unit of time; nothing when the record has less than two snapshots, or two of one time.
 std::optional<double> mode_speed(const Record& record, ModeShape shape, int k);
 
 /// Mean velocity of all disks in the last snapshot but one, what mode_speed() compares with.

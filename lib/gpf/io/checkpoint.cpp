@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gpf/base/error.hpp"
 #include "gpf/event/physics_version.hpp"
 #include "gpf/io/arrays.hpp"
@@ -96,7 +98,18 @@ Checkpoint read_checkpoint(const Scene& scene, const Run& run, const std::filesy
     const double* t = &travels[6 * i];
     c.measurement.travels.push_back({t[0], {t[1], t[2]}, {t[3], t[4]}, t[5]});
   }
-  if (!run.snapshots.empty()) c.snapshots = read_snapshots(file, disks, run.snapshots.size());
+  if (!run.snapshots.empty()) {
+    try {
+      c.snapshots = read_snapshots(file, disks, run);
+    } catch (const InputError& error) {
+      throw refuse(error.problem());
+    }
+    const double now = static_cast<double>(c.samples) * run.sample_interval;
+    const auto taken = std::count_if(run.snapshots.begin(), run.snapshots.end(),
+                                     [&](double t) { return t < now + run.sample_interval / 2; });
+    if (taken != static_cast<std::ptrdiff_t>(c.snapshots.size()))
+      throw refuse("its snapshots are not those up to its time");
+  }
   c.history.time = file.doubles("/history/time").values;
   c.history.energy = file.doubles("/history/energy").values;
   c.history.temperature = file.doubles("/history/temperature").values;

@@ -115,9 +115,13 @@ Record read_record(const std::filesystem::path& path) {
   if (r.history.energy.size() != r.history.time.size() || r.history.temperature.size() != r.history.time.size())
     throw unusable(path, "its history has columns of different lengths");
   const auto disks = static_cast<std::size_t>(r.scene.particles);
-  if (!r.run.snapshots.empty()) r.snapshots = read_snapshots(file, disks, r.run.snapshots.size());
+  try {
+    if (!r.run.snapshots.empty()) r.snapshots = read_snapshots(file, disks, r.run);
+    r.final_state = read_state(file, "/final", disks);
+  } catch (const InputError& error) {
+    throw unusable(path, error.problem());
+  }
   if (r.snapshots.size() != r.run.snapshots.size()) throw unusable(path, "not all of its snapshots are there");
-  r.final_state = read_state(file, "/final", disks);
   r.build = file.text("/provenance");
   r.session = file.text("/session/provenance");
   r.wall_seconds = file.attribute_double("/session", "wall_seconds");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "gpf/base/error.hpp"
 
 namespace gpf {
@@ -53,11 +55,15 @@ void write_snapshots(Hdf5Writer& file, const std::vector<Snapshot>& snapshots, s
   file.write("/snapshots/velocity", velocity, Dims{time.size(), disks, 2});
 }
 
-std::vector<Snapshot> read_snapshots(const Hdf5Reader& file, std::size_t disks, std::size_t most) {
+std::vector<Snapshot> read_snapshots(const Hdf5Reader& file, std::size_t disks, const Run& run) {
   const std::vector<double> time = file.doubles("/snapshots/time").values;
-  if (time.size() > most)
-    throw InputError(fmt::format("there are {} snapshots, where {} were asked for", time.size(), most),
-                     "the file is damaged, or another program wrote it", "delete it and run the scene again");
+  const auto asked_for = [&](std::size_t s) {
+    return s < run.snapshots.size() && std::abs(time[s] - run.snapshots[s]) <= run.sample_interval;
+  };
+  for (std::size_t s = 0; s < time.size(); ++s)
+    if (!asked_for(s))
+      throw InputError(fmt::format("there is a snapshot at {}, which was not asked for", time[s]),
+                       "the file is damaged, or another program wrote it", "delete it and run the scene again");
   const Dims dims{time.size(), disks, 2};
   const std::vector<double> position = read(file, "/snapshots/position", dims),
                             velocity = read(file, "/snapshots/velocity", dims);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpf/io/hdf5.hpp"
+#include "gpf/scene/scene.hpp"
 #include "gpf/scene/state.hpp"
 
 namespace gpf {
@@ -18,7 +19,8 @@ State read_state(const Hdf5Reader& file, const std::string& group, std::size_t d
 /// /snapshots/time, [snapshots], and /snapshots/position and /snapshots/velocity, [snapshots][disks][2].
 void write_snapshots(Hdf5Writer& file, const std::vector<Snapshot>& snapshots, std::size_t disks);
 
-/// Throws InputError when their shapes differ, or there are more than `most`.
-std::vector<Snapshot> read_snapshots(const Hdf5Reader& file, std::size_t disks, std::size_t most);
+/// The first of those that the run asks for, as far as they are there. Throws InputError when their shapes differ, or a
+/// time is not that of the sample nearest to the one asked for.
+std::vector<Snapshot> read_snapshots(const Hdf5Reader& file, std::size_t disks, const Run& run);
 
 }  // namespace gpf

@@ -160,19 +160,22 @@ void check(const Scene& scene, int cells) {
 
 }  // namespace
 
-ChannelProfile channel_flow(const Scene& scene, int cells) {
-  check(scene, cells);
+ChannelProfile channel_flow(const Scene& given, int cells) {
+  check(given, cells);
+  // Solved for g = 1: velocities go with the square root of g, temperatures and stresses with g.
+  Scene scene = given;
+  scene.gravity = 1;
   const Equations equations(scene, cells);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(equations.size());
   const double mean_fraction = scene.area_fraction() / (1 - scene.diameter());
-  const double start_temperature = scene.gravity;
+  const double start_temperature = 1;
   for (int k = 0; k < equations.nodes(); ++k) x[2 * k] = 1, x[2 * k + 1] = std::log(start_temperature);
   x[equations.size() - 1] = std::log(
       jenkins_richman_pressure(jenkins_richman_gas(std::min(mean_fraction, 0.8), start_temperature, scene.diameter())));
 
   constexpr int most_steps = 400;
   // Fluxes are of the order of the weight; what is left of them in a cell, over its size, is round-off below this.
-  const double converged = 1e-9 * scene.particles / scene.length() * scene.gravity / equations.cell();
+  const double converged = 1e-9 * scene.particles / scene.length() / equations.cell();
   Eigen::VectorXd r = equations.residual(x);
   double pseudo_time = 0.02;
   ChannelProfile profile;
@@ -198,7 +201,10 @@ ChannelProfile channel_flow(const Scene& scene, int cells) {
     pseudo_time *= largest > 0.5 ? 0.7 : 2;
     x += step;
     r = equations.residual(x);
-    if (r.cwiseAbs().maxCoeff() < converged) break;
+    if (r.cwiseAbs().maxCoeff() < converged) {
+      ++profile.newton_steps;
+      break;
+    }
   }
   if (!(r.cwiseAbs().maxCoeff() < converged))
     throw PhysicsError("the profiles of the channel do not converge",
@@ -229,6 +235,11 @@ ChannelProfile channel_flow(const Scene& scene, int cells) {
   profile.shear_lower = -equations.flux(x, 1, gases).momentum;
   profile.shear_upper = equations.flux(x, cells + 1, gases).momentum;
   profile.mean_flow = flow / disks;
+  const double g = given.gravity, root = std::sqrt(g);
+  for (double& u : profile.mean_velocity) u *= root;
+  for (double& t : profile.granular_temperature) t *= g;
+  for (double* stress : {&profile.pressure, &profile.shear_lower, &profile.shear_upper}) *stress *= g;
+  for (double* u : {&profile.slip_lower, &profile.slip_upper, &profile.mean_flow}) *u *= root;
   return profile;
 }
 

@@ -39,7 +39,8 @@ struct MonteCarloSums {
 /// correlations of velocities, no layers, no crystal: the theory's assumptions are the method's limits.
 class EnskogMonteCarlo {
  public:
-  /// Throws InputError for less than 4 cells, 10 particles in each or a step that is not in (0, 1/2].
+  /// Throws InputError for less than 4 cells, 10 particles in each or a step that is not in (0, 1/2];
+  /// PhysicsError as advance().
   EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting);
 
   [[nodiscard]] double time() const { return static_cast<double>(steps_) * step_; }
@@ -49,6 +50,7 @@ class EnskogMonteCarlo {
   /// Adds the present state to the averages.
   void sample();
 
+  /// NaN in cells where nothing has been sampled.
   [[nodiscard]] MonteCarloProfile profile() const;
   [[nodiscard]] const MonteCarloSums& sums() const { return sums_; }
   /// Kinetic energy per length.
@@ -68,7 +70,7 @@ class EnskogMonteCarlo {
   double diameter_, bottom_, room_, step_, weight_, memory_;
   int cells_;
   std::uint64_t steps_ = 0;
-  double fastest_ = 0;  // the collision rate of a particle never exceeds it
+  double fastest_ = 0;  // bound of the rate of a candidate; raised when one exceeds it, which is then missed once
   std::vector<double> y_;
   std::vector<Vec2> velocity_;
   std::vector<std::uint32_t> order_, first_;  // particles by cell, and where each cell begins

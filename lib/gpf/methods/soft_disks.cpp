@@ -52,6 +52,7 @@ SoftDisks::SoftDisks(const Scene& scene, const SoftContact& contact, const State
   turned_.assign(count, 0);
   build_neighbours();
   compute_forces();
+  sums_ = {};  // no time has passed yet
 }
 
 void SoftDisks::advance(double until) {

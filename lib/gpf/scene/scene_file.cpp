@@ -14,6 +14,8 @@
 namespace gpf {
 namespace {
 
+constexpr std::size_t most_snapshots = 100;
+
 /// Enumerator of E whose name_of is the value of `key`; for words that KeyValues has checked.
 template <class E>
 E named(std::string_view name, std::initializer_list<E> all) {
@@ -123,6 +125,15 @@ Run run_of(const KeyValues& values, const Scene& scene) {
                        "they are told apart by their shape across a channel",
                        "remove density_modes, or set geometry = \"channel\"");
   run.snapshots = values.ascending("snapshots").value_or(std::vector<double>{});
+  if (run.snapshots.size() > most_snapshots)
+    throw values.error({"snapshots"}, fmt::format("snapshots has {} times", run.snapshots.size()),
+                       fmt::format("each is a copy of all disks; at most {} are kept", most_snapshots),
+                       "leave some out");
+  for (std::size_t k = 1; k < run.snapshots.size(); ++k)
+    if (run.snapshots[k] - run.snapshots[k - 1] < run.sample_interval)
+      throw values.error({"snapshots"}, fmt::format("snapshots has {} and {}", run.snapshots[k - 1], run.snapshots[k]),
+                         fmt::format("states are kept at samples, which are {} apart", run.sample_interval),
+                         "leave one out, or lower sample_interval");
   if (!run.snapshots.empty() && run.snapshots.back() > run.start_up + run.duration)
     throw values.error({"snapshots"},
                        fmt::format("snapshots has {}, beyond start_up + duration = {}", run.snapshots.back(),

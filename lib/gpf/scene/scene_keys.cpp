@@ -174,7 +174,7 @@ constexpr std::array keys{
              .range_reason = time_reason,
              .meaning =
                  "one or several, [t1, t2, ...], ascending, from the start of the run: times of which the state is "
-                 "kept, that of the nearest sample; none beyond start_up + duration",
+                 "kept, that of the nearest sample; at most 100, none beyond start_up + duration",
              .otherwise = "the last state only"}};
 
 }  // namespace

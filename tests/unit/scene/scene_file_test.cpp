@@ -1,5 +1,7 @@
 #include "gpf/scene/scene_file.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -203,6 +205,10 @@ BOOST_AUTO_TEST_CASE(snapshots_are_taken_in_order_and_within_the_run) {
   check_refused(run("[4, 4]"), "11:17", {"snapshots has 4 after 4"});
   check_refused(run("[0]"), "11:14", {"snapshots = 0 is out of range"});
   check_refused(run("[\"a\"]"), "11:14", {"snapshots is a string"});
+  check_refused(run("[2, 2.001]"), "11:1", {"snapshots has 2 and 2.001", "apart", "leave one out"});
+  std::string many = "[1";
+  for (int k = 1; k <= 100; ++k) many += fmt::format(", {}", 1 + 0.1 * k);
+  check_refused(run(many + "]"), "11:1", {"snapshots has 101 times", "at most 100"});
   check_refused(run("[2, 15.5]"), "11:1", {"snapshots has 15.5, beyond start_up + duration = 15", "lengthen duration"});
 }
 

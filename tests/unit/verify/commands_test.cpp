@@ -54,6 +54,12 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 BOOST_FIXTURE_TEST_SUITE(commands, Program)
 
+BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_wants_a_folder_of_its_own) {
+  const ProcessResult report = gpf({"report", "eos.virial", "--store", (folder / "records").string()});
+  BOOST_TEST(report.exit_status == 2);
+  BOOST_TEST(contains(report.errors, "without --output"));
+}
+
 BOOST_AUTO_TEST_CASE(a_claim_is_run_judged_and_passes_the_gate) {
   const ProcessResult early = gpf({"validate", "--gate"});
   BOOST_TEST(early.exit_status == 1);

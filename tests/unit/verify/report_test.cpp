@@ -109,6 +109,7 @@ BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_says_so_and_how_to_repeat_it) {
   };
   BOOST_TEST(contains(page(5), ", 2 of its 5 claims\n"));
   BOOST_TEST(contains(page(5), " a.one b.two\n    gpf report --tier "));
+  BOOST_TEST(contains(page(5), " --output FOLDER a.one b.two\n"));
   BOOST_TEST(!contains(page(2), ", 2 of its 2"));
   BOOST_TEST(!contains(page(2), " a.one b.two"));
 }
@@ -119,13 +120,13 @@ BOOST_AUTO_TEST_CASE(drawings_are_shown_below_the_plot_and_go_with_their_claim) 
   const gpf::test::TemporaryFolder folder;
   gpf::write_report(data_of({drawn}), folder.path());
   auto files = files_in(folder.path());
-  BOOST_TEST(files.at("claims/a.one-2.svg") == "<svg>50</svg>");
-  BOOST_TEST(contains(files.at("claims/a.one.md"), "## Snapshots\n\nt = 4:\n\n![t = 4](a.one-1.svg)\n"));
+  BOOST_TEST(files.at("claims/a.one+2.svg") == "<svg>50</svg>");
+  BOOST_TEST(contains(files.at("claims/a.one.md"), "## Snapshots\n\nt = 4:\n\n![t = 4](a.one+1.svg)\n"));
   drawn.verdict.drawings.pop_back();
   gpf::write_report(data_of({drawn}), folder.path());
   files = files_in(folder.path());
-  BOOST_TEST(files.contains("claims/a.one-1.svg"));
-  BOOST_TEST(!files.contains("claims/a.one-2.svg"));
+  BOOST_TEST(files.contains("claims/a.one+1.svg"));
+  BOOST_TEST(!files.contains("claims/a.one+2.svg"));
 }
 
 BOOST_AUTO_TEST_CASE(nothing_red_is_said_so) {

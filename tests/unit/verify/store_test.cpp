@@ -103,6 +103,11 @@ BOOST_AUTO_TEST_CASE(snapshots_come_back) {
   BOOST_TEST(found->snapshots[1].state.position[5].y == 0.75);
   BOOST_TEST(found->snapshots[1].state.velocity[5].x == -1);
   BOOST_TEST(found->snapshots[0].state.position[35].x == record.final_state.position[35].x);
+  record.snapshots[1].time = 5;  // not what was asked for
+  store.save(file, record);
+  BOOST_TEST(!store.load(file));
+  BOOST_REQUIRE(!reports.empty());
+  BOOST_TEST(reports.back().find(store.path(file).string()) != std::string::npos);
   record.snapshots.pop_back();
   store.save(file, record);
   BOOST_TEST(!store.load(file));
