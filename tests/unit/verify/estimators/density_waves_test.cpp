@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gpf/base/error.hpp"
+#include "unit/verify/evidence_means.hpp"
 #include "unit/verify/fake_run.hpp"
 #include "verify/estimators/density_structure.hpp"
 #include "verify/estimators/estimators.hpp"
@@ -54,16 +55,6 @@ Claim claim(const std::string& stated, double early_to, double late_from) {
   return c;
 }
 
-std::vector<double> means(const Evidence& evidence) {
-  std::vector<double> result;
-  for (const Check& check : evidence.checks) {
-    double sum = 0;
-    for (const double v : check.values) sum += v;
-    result.push_back(sum / static_cast<double>(check.values.size()));
-  }
-  return result;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(density_waves)
@@ -84,23 +75,24 @@ BOOST_AUTO_TEST_CASE(each_window_is_judged_by_the_structure_that_is_stated) {
   const SceneRecords waves = records("0.6", Tally::mode_odd, 0), slugs = records("0.6", Tally::mode_even, 0);
   const Evidence right = estimate_density_waves(claim("wave", 8, 8), Tier::standard, waves);
   BOOST_REQUIRE(right.checks.size() == 2U);  // walls alike: no shift
-  BOOST_TEST(means(right) == (std::vector<double>{2, 1}), boost::test_tools::per_element());
+  BOOST_TEST(test::means(right) == (std::vector<double>{2, 1}), boost::test_tools::per_element());
   BOOST_TEST(right.checks[0].band.contains(2.0));
   BOOST_TEST(right.checks[1].share);
-  BOOST_TEST(means(estimate_density_waves(claim("wave", 8, 8), Tier::standard, slugs)) == (std::vector<double>{2, 0}),
-             boost::test_tools::per_element());
-  const Evidence late = estimate_density_waves(claim("wave", 16, 8), Tier::standard, waves);
-  BOOST_TEST(!late.checks[0].band.contains(means(late)[0]));  // the wave is there before the plug's window ends
   BOOST_TEST(
-      means(estimate_density_waves(claim("clumps or slug", 0, 8), Tier::standard, slugs)) == (std::vector<double>{1}),
+      test::means(estimate_density_waves(claim("wave", 8, 8), Tier::standard, slugs)) == (std::vector<double>{2, 0}),
       boost::test_tools::per_element());
+  const Evidence late = estimate_density_waves(claim("wave", 16, 8), Tier::standard, waves);
+  BOOST_TEST(!late.checks[0].band.contains(test::means(late)[0]));  // the wave is there before the plug's window ends
+  BOOST_TEST(test::means(estimate_density_waves(claim("clumps or slug", 0, 8), Tier::standard, slugs)) ==
+                 (std::vector<double>{1}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(the_shift_counts_toward_the_wall_that_is_named_if_that_is_the_colder_one) {
   const auto checks = [](const std::string& walls, double up, double toward) {
     Claim c = claim("wave", 0, 8);
     c.parameters["toward_rougher"] = toward;
-    return means(estimate_density_waves(c, Tier::standard, records(walls, Tally::mode_odd, up)));
+    return test::means(estimate_density_waves(c, Tier::standard, records(walls, Tally::mode_odd, up)));
   };
   BOOST_TEST(std::abs(checks("[0.1, 0.9]", -0.1, 1)[1] - 0.1) < 1e-12);
   BOOST_TEST(std::abs(checks("[0.9, 0.1]", -0.1, 1)[1] + 0.1) < 1e-12);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gpf/base/error.hpp"
+#include "unit/verify/evidence_means.hpp"
 #include "unit/verify/fake_run.hpp"
 #include "verify/estimators/density_structure.hpp"
 #include "verify/estimators/estimators.hpp"
@@ -47,16 +48,6 @@ SceneRecords ladder() {
   return records;
 }
 
-std::vector<double> shares(const Evidence& evidence) {
-  std::vector<double> result;
-  for (const Check& check : evidence.checks) {
-    double sum = 0;
-    for (const double v : check.values) sum += v;
-    result.push_back(sum / static_cast<double>(check.values.size()));
-  }
-  return result;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(phase_diagram_claims)
@@ -70,7 +61,7 @@ BOOST_AUTO_TEST_CASE(each_region_is_judged_by_all_of_its_runs) {
   // everywhere 16 of 24; longest; shortest; between 2 of the 4 odd replicas; alike 16 of 24, as the two points at L/W 2
   // differ from each other; none
   const std::vector<double> expected{16.0 / 24, 1, 1, 0.5, 16.0 / 24, 0};
-  BOOST_TEST(shares(evidence) == expected, boost::test_tools::per_element());
+  BOOST_TEST(test::means(evidence) == expected, boost::test_tools::per_element());
   BOOST_TEST(evidence.checks[2].values.size() == 8U);
   for (const Check& check : evidence.checks) BOOST_TEST(check.share);
   BOOST_TEST(evidence.notes.size() == 6U);
@@ -89,7 +80,7 @@ BOOST_AUTO_TEST_CASE(width_is_an_axis_with_regions_too) {
   claim.structures = {{"narrow and short", "plug"}, {"wide and long", "varicose wave"}};
   claim.parameters = {{"most_varicose", 0.1}};
   const Evidence evidence = estimate_phase_diagram(claim, Tier::full, records);
-  BOOST_TEST(shares(evidence) == (std::vector<double>{1, 1, 0.5}), boost::test_tools::per_element());
+  BOOST_TEST(test::means(evidence) == (std::vector<double>{1, 1, 0.5}), boost::test_tools::per_element());
   BOOST_TEST(evidence.checks[0].values.size() == 4U);  // one of the four points
   BOOST_TEST(evidence.plot.ylabel == "W/d");
   claim.parameters["alike"] = 0.75;  // nothing to compare with: no value, no verdict
@@ -104,7 +95,7 @@ BOOST_AUTO_TEST_CASE(pictures_are_compared_run_by_run) {
                       {"map: L 4, W 12, 0.1 #2", "wave"},
                       {"map: L 4, W 12, 0.9 #2", "between the classes"}};
   const Evidence evidence = estimate_picture_labels(claim, Tier::full, ladder());
-  BOOST_TEST(shares(evidence) == std::vector<double>{0.5}, boost::test_tools::per_element());
+  BOOST_TEST(test::means(evidence) == std::vector<double>{0.5}, boost::test_tools::per_element());
   BOOST_TEST(evidence.drawings.size() == 4U);
   BOOST_TEST(evidence.notes.size() == 4U);
   for (const std::string name : {"map: L 1, W 12, 0.1 #5", "map: L 1, W 12, 0.1 #0", "map: L 1, W 12, 0.1",
