@@ -38,9 +38,14 @@ std::string head(const Claim& claim, const Verdict& verdict) {
   if (!claim.expected_because.empty())
     text += fmt::format("\n**Why {}:** {}\n", name_of(claim.expected), markdown_text(claim.expected_because));
   text += fmt::format("\nTier {}, {} replica(s), look {}", name_of(verdict.tier), verdict.replicas, verdict.look);
-  const bool statistical =
-      std::any_of(verdict.checks.begin(), verdict.checks.end(), [](const JudgedCheck& c) { return !c.check.exact; });
-  if (statistical) text += fmt::format("; each end of an interval errs with probability {:.2g}", verdict.alpha);
+  const auto statistical = [&](bool share) {
+    return std::any_of(verdict.checks.begin(), verdict.checks.end(),
+                       [&](const JudgedCheck& c) { return !c.check.exact && c.check.share == share; });
+  };
+  if (statistical(false)) text += fmt::format("; each end of an interval errs with probability {:.2g}", verdict.alpha);
+  if (statistical(true))  // judged at its own level, shared over as many looks
+    text += fmt::format("; each end of the interval of a share errs with probability {:.2g}",
+                        verdict.alpha * share_alpha_per_direction / alpha_per_direction);
   return text + ".\n";
 }
 

@@ -114,6 +114,17 @@ BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_says_so_and_how_to_repeat_it) {
   BOOST_TEST(!contains(page(2), " a.one b.two"));
 }
 
+BOOST_AUTO_TEST_CASE(a_share_has_its_own_level) {
+  JudgedClaim mixed = gpf::test::judged("a.mixed", {check("slope", 0.4, 0.01, {0, infinity})});
+  mixed.verdict.alpha = 0.005;
+  const auto page = [&] { return report_on({mixed}).at("claims/a.mixed.md"); };
+  BOOST_TEST(contains(page(), "each end of an interval errs with probability 0.005"));
+  BOOST_TEST(!contains(page(), "of a share"));
+  mixed.verdict.checks[0].check.share = true;
+  BOOST_TEST(contains(page(), "each end of the interval of a share errs with probability 0.025"));
+  BOOST_TEST(!contains(page(), "of an interval errs"));
+}
+
 BOOST_AUTO_TEST_CASE(drawings_are_shown_below_the_plot_and_go_with_their_claim) {
   JudgedClaim drawn = gpf::test::passing("a.one");
   drawn.verdict.drawings = {{"t = 4", "<svg>4</svg>"}, {"t = 50", "<svg>50</svg>"}};
