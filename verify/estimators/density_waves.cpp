@@ -263,4 +263,35 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
   return evidence;
 }
 
+// Claim waves.clumps.peaks: how many peaks the density has along k_x. Of the powers c_k - 1 of the even modes above
+// those of independent disks the effective number (sum)^2/(sum of squares) is at least `peaks`.
+Evidence estimate_density_peaks(const Claim& claim, Tier, const SceneRecords& records) {
+  Evidence evidence;
+  evidence.plot = {.title = "Power along the channel",
+                   .xlabel = "k",
+                   .ylabel = "contrast of the even mode",
+                   .logx = true,
+                   .logy = true};
+  for (const auto& [name, replicas] : records) {
+    const SceneValues scene(name, replicas);
+    const std::vector<DensityContrast> contrasts = density_contrasts(scene);
+    evidence.checks.push_back({.label = fmt::format("{}: number of peaks along k_x", name),
+                               .values = per_replica(contrasts.size(),
+                                                     [&](auto r) {
+                                                       double sum = 0, squares = 0;
+                                                       for (const double c : contrasts[r].even)
+                                                         sum += c - 1, squares += square(c - 1);
+                                                       return sum * sum / squares;
+                                                     }),
+                               .band = {claim.parameter("peaks"), INFINITY},
+                               .reference = NAN});
+    Series series{.label = name};
+    for (std::size_t k = 0; k < contrasts.front().even.size(); ++k)
+      add_point(series, static_cast<double>(k) + 1,
+                per_replica(contrasts.size(), [&](auto r) { return contrasts[r].even[k]; }));
+    evidence.plot.series.push_back(std::move(series));
+  }
+  return evidence;
+}
+
 }  // namespace gpf

@@ -87,6 +87,7 @@ constexpr auto estimators =
                                                            {"n1_phase", estimate_n1_phase},
                                                            {"structure_classes", estimate_structure_classes},
                                                            {"density_waves", estimate_density_waves},
+                                                           {"density_peaks", estimate_density_peaks},
                                                            {"phase_diagram", estimate_phase_diagram},
                                                            {"picture_labels", estimate_picture_labels}});
 

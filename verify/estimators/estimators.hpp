@@ -61,6 +61,7 @@ Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecor
 Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_structure_classes(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_density_waves(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_density_peaks(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_phase_diagram(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_picture_labels(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_plug_tails(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -102,6 +102,22 @@ BOOST_AUTO_TEST_CASE(the_shift_counts_toward_the_wall_that_is_named_if_that_is_t
   BOOST_TEST(checks("[0.1, 0.9]", -0.1, 0).size() == 1U);
 }
 
+BOOST_AUTO_TEST_CASE(peaks_along_the_channel_are_counted_by_their_power) {
+  Claim c;
+  c.parameters = {{"peaks", 1.5}};
+  const Evidence one = estimate_density_peaks(c, Tier::full, records("0.6", Tally::mode_even, 0));
+  BOOST_REQUIRE(one.checks.size() == 1U);
+  BOOST_TEST(std::abs(test::means(one)[0] - 1) < 1e-12);  // k = 1 at 20.5 times the noise, k = 2 at the noise
+  SceneRecords two = records("0.6", Tally::mode_even, 0);
+  for (Record& record : two["scene"]) {
+    const TallyLayout layout(record.run);
+    for (std::size_t b = 0; b < record.blocks; ++b)
+      record.sums[b * layout.size() + layout.at(Tally::mode_even, 1)] =
+          record.sums[b * layout.size() + layout.at(Tally::mode_even, 0)];
+  }
+  BOOST_TEST(std::abs(test::means(estimate_density_peaks(c, Tier::full, two))[0] - 2) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(a_claim_and_its_scenes_must_agree) {
   const SceneRecords waves = records("0.6", Tally::mode_odd, 0);
   BOOST_CHECK_THROW(estimate_density_waves(claim("ripple", 0, 8), Tier::standard, waves), InputError);
