@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -38,9 +39,11 @@ std::vector<Point> points_of(const SceneRecords& records) {
   return points;
 }
 
+/// By the replica's number, from 0.
+enum class Runs { all, even, odd };
+
 /// 1 for each run of the points that has one of the structures, else 0. Points are alike to the claim, so that their
 /// runs together are judged; where they are not, the interval of a common share is wider than need be.
-enum class Runs { all, even, odd };
 std::vector<double> hits(const std::vector<const Point*>& points, const std::vector<Structure>& wanted,
                          Runs runs = Runs::all) {
   std::vector<double> values;
