@@ -7,6 +7,9 @@ namespace gpf {
 /// by .025 % at nu = .3, .45 % at .5, 2.2 % at .65.
 constexpr double henderson_contact_value(double nu) { return (1 - 7 * nu / 16) / ((1 - nu) * (1 - nu)); }
 
+/// d ln g/d ln nu of the same.
+constexpr double henderson_contact_slope(double nu) { return nu * (2 / (1 - nu) - 7 / (16 - 7 * nu)); }
+
 /// Luding's g4, PRE 63, 042201 (2001): Henderson's less nu^3/(128 (1 - nu)^4). Z within .075 % up to nu = .60,
 /// -.11 % at .63.
 constexpr double luding_contact_value(double nu) {

@@ -31,6 +31,14 @@ BOOST_AUTO_TEST_CASE(dilute_limit) {
   BOOST_TEST((luding_contact_value(h) - 1) / h == 1.5625, boost::test_tools::tolerance(1e-5));
 }
 
+BOOST_AUTO_TEST_CASE(slope_of_henderson_is_the_derivative) {
+  for (const double nu : {1e-3, 0.05, 0.3, 0.8}) {
+    const double h = 1e-5 * nu;  // central difference: error of order (h/nu)^2 and 1e-16/1e-5
+    const double slope = std::log(henderson_contact_value(nu + h) / henderson_contact_value(nu - h)) / 2e-5;
+    BOOST_TEST(std::abs(henderson_contact_slope(nu) - slope) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(luding_is_within_its_stated_error) {
   // .075 % of Z up to nu = .60, -.110 % at worst, near .63; Henderson is 6 and more times worse at .5 and above.
   double worst = 0;
