@@ -11,6 +11,9 @@ void add_run_command(CLI::App& app, int& status);
 void add_validate_command(CLI::App& app, int& status);
 void add_explain_command(CLI::App& app, int& status);
 void add_campaign_command(CLI::App& app, int& status);
+void add_chart_command(CLI::App& app, int& status);
+void add_advise_command(CLI::App& app, int& status);
+void add_flow_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
 
 }  // namespace gpf

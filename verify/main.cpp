@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   gpf::add_explain_command(app, status);
   gpf::add_report_command(app, status);
   gpf::add_campaign_command(app, status);
+  gpf::add_flow_command(app, status);
+  gpf::add_chart_command(app, status);
+  gpf::add_advise_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,7 +5,7 @@ set(root ${CMAKE_ARGV3})
 include(${CMAKE_ARGV4})
 
 # From low to high; a layer links only layers on its left.
-set(order base scene stats theory event measure methods io)
+set(order base scene stats theory event measure methods flow io)
 # The other ways to the same answer share no event code with the engine, whatever their targets link.
 list(REMOVE_ITEM may_include_methods event)
 

@@ -226,6 +226,25 @@ void AllPairs<Real>::collide_pair(Disk& a, Disk& b) {
   ++sums_.pair_contacts;
   sums_.pair_loss += static_cast<double>((1 - e * e) * approach * approach / 4);
   sums_.virial += static_cast<double>(impulse * distance);
+  if (watcher_ == nullptr) return;
+  const auto vec2 = [](Real x, Real y) { return Vec2{static_cast<double>(x), static_cast<double>(y)}; };
+  PairContact shown{time(),
+                    number(a),
+                    number(b),
+                    vec2(a.x, a.y),
+                    vec2(r.x, r.y),
+                    vec2(a.ux, a.uy),
+                    vec2(b.ux, b.uy),
+                    vec2(impulse * nx, impulse * ny),
+                    static_cast<double>((1 - e * e) * approach * approach / 4)};
+  if (shown.first > shown.second) {
+    std::swap(shown.first, shown.second);
+    std::swap(shown.velocity_1, shown.velocity_2);
+    shown.position = vec2(b.x, b.y);
+    shown.r_12 = -shown.r_12;
+    shown.impulse = -shown.impulse;
+  }
+  watcher_->on_pair(shown);
 }
 
 // Eq. 2.9.
@@ -239,9 +258,14 @@ void AllPairs<Real>::collide_wall(Disk& a, Wall wall) {
   sums.loss += static_cast<double>(((1 - beta * beta) * a.ux * a.ux + (1 - e * e) * a.uy * a.uy) / 2);
   sums.normal_impulse += static_cast<double>((1 + e) * std::abs(a.uy));
   sums.tangential_impulse += static_cast<double>((1 - beta) * a.ux);
+  const auto velocity = [&a] { return Vec2{static_cast<double>(a.ux), static_cast<double>(a.uy)}; };
+  const Vec2 before = velocity();
   a.ux = beta * a.ux;
   a.uy = -e * a.uy;
   stamp(a, e == 1);
+  if (watcher_ != nullptr)
+    watcher_->on_wall(
+        {time(), number(a), wall, {static_cast<double>(a.x), static_cast<double>(a.y)}, before, velocity()});
 }
 
 template <class Real>
@@ -256,9 +280,9 @@ template <class Real>
 void AllPairs<Real>::stamp(Disk& a, bool elastic) {
   a.last_contact = clock_;
   if (++a.contacts_now > (elastic ? 2 * size() + 100 : 8))
-    throw PhysicsError(fmt::format("disk {} had {} contacts while time stood still at {:.17g}", &a - disks_.data(),
-                                   a.contacts_now, time()),
-                       "inelastic collapse", "set tc_time in the scene, or a longer one");
+    throw PhysicsError(
+        fmt::format("disk {} had {} contacts while time stood still at {:.17g}", number(a), a.contacts_now, time()),
+        "inelastic collapse", "set tc_time in the scene, or a longer one");
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gpf/methods/contact_watcher.hpp"
 #include "gpf/scene/scene.hpp"
 #include "gpf/scene/state.hpp"
 
@@ -63,6 +64,9 @@ class AllPairs {
   /// contacts), and InputError when `until` is past or not finite.
   void advance(double until);
 
+  /// Shows every contact from now on; not owned, must outlive this or be replaced. Null: nobody.
+  void watch(ContactWatcher* watcher) { watcher_ = watcher; }
+
   /// Turns all velocities round and forgets the last contacts, as if the film ran backwards.
   void reverse();
 
@@ -105,6 +109,7 @@ class AllPairs {
   void stamp(Disk& a, bool elastic);
 
   [[nodiscard]] Disk& disk(std::int32_t i) { return disks_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] std::int32_t number(const Disk& a) const { return static_cast<std::int32_t>(&a - disks_.data()); }
   [[nodiscard]] const Disk& disk(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(disks_.size()); }
 
@@ -115,6 +120,7 @@ class AllPairs {
   std::vector<Next> next_;  // of disk i; the partner's own entry may hold the same contact
   long double clock_ = 0;   // only for reporting and the TC rule: no prediction depends on it
   AllPairsSums sums_;
+  ContactWatcher* watcher_ = nullptr;
 };
 
 extern template class AllPairs<double>;

@@ -103,6 +103,10 @@ void SoftDisks::pair_forces() {
     contact_energy_ += 0.5 * pair_.stiffness * square(overlap);
     sums_.pair_loss += step_ * pair_.damping * square(separation);
     sums_.virial += step_ * push * distance;
+    if (watcher_ != nullptr)
+      watcher_->on_pair({time(), static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), position_[i], r,
+                         expected_velocity_[i], expected_velocity_[j], (step_ * push) * n,
+                         step_ * pair_.damping * square(separation)});
   }
 }
 
@@ -124,6 +128,9 @@ void SoftDisks::wall_forces() {
       contact_energy_ += 0.5 * wall_.stiffness * square(overlap);
       sums_.wall_loss[w] += step_ * wall_.damping * square(approach);
       sums_.wall_normal[w] += step_ * push;
+      if (watcher_ != nullptr)
+        watcher_->on_wall({time(), static_cast<std::int32_t>(i), wall, position_[i], expected_velocity_[i],
+                           expected_velocity_[i] - Vec2{0, outward * step_ * push}});
     }
 }
 
@@ -141,6 +148,13 @@ void SoftDisks::turn_at_walls() {
     const auto wall = static_cast<std::size_t>(below ? lower : upper);
     const double beta = scene_.wall_tangential_restitution[wall], before = velocity_[i].x;
     velocity_[i].x *= beta;
+    if (watcher_ != nullptr)
+      watcher_->on_wall({time(),
+                         static_cast<std::int32_t>(i),
+                         static_cast<Wall>(wall),
+                         position_[i],
+                         {before, velocity_[i].y},
+                         velocity_[i]});
     sums_.wall_loss[wall] += 0.5 * (1 - square(beta)) * square(before);
     sums_.wall_tangential[wall] += (1 - beta) * before;
   }

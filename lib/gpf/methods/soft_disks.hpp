@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpf/methods/contact_watcher.hpp"
 #include "gpf/scene/scene.hpp"
 #include "gpf/scene/state.hpp"
 
@@ -49,6 +50,9 @@ class SoftDisks {
   /// the channel: too soft, or steps too large.
   void advance(double until);
 
+  /// Shows every step of every contact from now on; not owned, must outlive this or be replaced. Null: nobody.
+  void watch(ContactWatcher* watcher) { watcher_ = watcher; }
+
   /// Lab frame at time(); x in [0, L).
   [[nodiscard]] State state() const;
   [[nodiscard]] double kinetic_energy() const;
@@ -83,6 +87,7 @@ class SoftDisks {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_;
   double contact_energy_ = 0, deepest_overlap_ = 0;
   SoftSums sums_;
+  ContactWatcher* watcher_ = nullptr;
 };
 
 }  // namespace gpf

@@ -1,0 +1,50 @@
+// gpf chart: cost and error of every method, measured.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "gpf/base/error.hpp"
+#include "gpf/io/atomic_file.hpp"
+#include "verify/commands.hpp"
+#include "verify/methods/chart_pages.hpp"
+#include "verify/stop_signals.hpp"
+
+namespace gpf {
+
+void add_chart_command(CLI::App& app, int& status) {
+  struct Options {
+    std::filesystem::path reference = "reference", store = "records", output = "reports";
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("chart", "Run the methods of reference/methods.toml and chart their cost against their error");
+  command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--store", options->store, "Folder of records; runs found there are not done again")
+      ->capture_default_str();
+  command->add_option("--reference", options->reference, "Folder that holds methods.toml and scenes/")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for the page")->capture_default_str();
+  command->footer("Examples:\n  gpf chart\n  gpf chart -j 1 --output /tmp/chart\n");
+  command->callback([options, &status] {
+    const volatile std::sig_atomic_t* stop = stop_on_signals();
+    const ChartPlan plan = load_chart_plan(options->reference / "methods.toml");
+    const RecordStore records(options->store, Trust::same_version,
+                              [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); });
+    const MethodStore store(options->store / "methods");
+    const auto points = chart_points(plan, options->reference, records, store, options->jobs, stop);
+    if (points.empty()) {
+      status = static_cast<int>(ExitStatus::interrupted);
+      return;
+    }
+    write_text_atomically(options->reference / "methods.csv", csv_of(points));
+    write_chart_page(plan, points, options->output);
+    fmt::print("{}\n", (options->output / "methods.md").string());
+    status = static_cast<int>(ExitStatus::success);
+  });
+}
+
+}  // namespace gpf
