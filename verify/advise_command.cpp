@@ -7,10 +7,10 @@
 #include <string>
 
 #include "gpf/base/error.hpp"
-#include "gpf/io/atomic_file.hpp"
 #include "gpf/io/markdown.hpp"
 #include "verify/commands.hpp"
 #include "verify/methods/advice.hpp"
+#include "verify/methods/advice_table.hpp"
 
 namespace gpf {
 namespace {
@@ -28,6 +28,10 @@ double tolerance_in(const std::string& text) {
   if (used == 0 || used + (percent ? 1 : 0) != text.size())
     throw InputError(fmt::format("--tolerance {}", text), "it is no number", "write 5% or 0.05");
   return percent ? value / 100 : value;
+}
+
+void warn(const SteadyFlow& flow) {
+  for (const std::string& warning : flow.warnings) fmt::print(stderr, "gpf: warning: {}\n", warning);
 }
 
 void print_profiles(const std::vector<Quantity>& quantities) {
@@ -85,6 +89,7 @@ ExitStatus run_and_check(const SceneFile& file, const Advice& advice, const Obse
   Run run = file.run;
   if (best.duration > 0) run.duration = std::max(best.duration, run.sample_interval);
   const SteadyFlow flow = steady_flow(file.scene, run, parse_method(best.method));
+  warn(flow);
   fmt::print("\n{}: {:.3g} CPU s\n", best.method, flow.cpu_seconds);
   print_profiles(flow.quantities);
   if (best.method == "event_driven") return ExitStatus::success;
@@ -113,13 +118,13 @@ ExitStatus run_and_check(const SceneFile& file, const Advice& advice, const Obse
 
 void add_advise_command(CLI::App& app, int& status) {
   struct Options {
-    std::filesystem::path scene, reference = "reference";
+    std::filesystem::path scene;
     std::string observable = "mean_velocity", tolerance = "5%";
     bool run = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("advise", "Name the cheapest method that is accurate enough, by what was measured");
+  CLI::App* command = app.add_subcommand(
+      "advise", "Name the cheapest method that is accurate enough, by what gpf chart measured (reference/methods.csv)");
   command->add_option("scene", options->scene, "The scene file")->required();
   std::vector<std::string_view> names;
   for (const Observable& o : observables()) names.push_back(o.name);
@@ -127,7 +132,6 @@ void add_advise_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "Of the value, bias and twice the noise: 5% or 0.05")
       ->capture_default_str();
-  command->add_option("--reference", options->reference, "Folder that holds methods.csv")->capture_default_str();
   command->add_flag("--run", options->run, "Do it, and check it against a short run of the engine");
   command->footer(
       "Exit status: 0; with --run 1 when the engine contradicts the method.\n"
@@ -138,9 +142,7 @@ void add_advise_command(CLI::App& app, int& status) {
     const SceneFile file = load_scene(options->scene);
     const Observable& observable = observable_named(options->observable);
     const double tolerance = tolerance_in(options->tolerance);
-    const std::filesystem::path table = options->reference / "methods.csv";
-    const Advice advice =
-        advise(points_in(read_text(table), table.string()), file.scene, file.run, observable, tolerance);
+    const Advice advice = advise(advice_table(), file.scene, file.run, observable, tolerance);
     print_advice(advice, observable, tolerance);
     status = static_cast<int>(options->run ? run_and_check(file, advice, observable, tolerance) : ExitStatus::success);
   });
@@ -168,6 +170,7 @@ void add_flow_command(CLI::App& app, int& status) {
     const SceneFile file = load_scene(options->scene);
     const MethodSetting setting = parse_method(options->method);
     const SteadyFlow flow = steady_flow(file.scene, file.run, setting);
+    warn(flow);
     if (options->json) {
       print_json(text_of(setting), flow);
     } else {

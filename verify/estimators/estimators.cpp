@@ -89,7 +89,13 @@ constexpr auto estimators =
                                                            {"density_waves", estimate_density_waves},
                                                            {"density_peaks", estimate_density_peaks},
                                                            {"phase_diagram", estimate_phase_diagram},
-                                                           {"picture_labels", estimate_picture_labels}});
+                                                           {"picture_labels", estimate_picture_labels},
+                                                           {"limits_hydrodynamics", estimate_limits_hydrodynamics},
+                                                           {"limits_monte_carlo", estimate_limits_monte_carlo},
+                                                           {"monte_carlo_dilute", estimate_monte_carlo_dilute},
+                                                           {"limits_soft_stiffness", estimate_limits_soft_stiffness},
+                                                           {"limits_soft_step", estimate_limits_soft_step},
+                                                           {"limits_advice", estimate_limits_advice}});
 
 }  // namespace
 

@@ -92,4 +92,12 @@ Evidence estimate_temp_knudsen(const Claim& claim, Tier tier, const SceneRecords
 Evidence estimate_momentum_balance(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy_balance(const Claim& claim, Tier tier, const SceneRecords& records);
 
+// Where methods other than the engine end.
+Evidence estimate_limits_hydrodynamics(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_monte_carlo(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_monte_carlo_dilute(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_soft_stiffness(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_soft_step(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_advice(const Claim& claim, Tier tier, const SceneRecords& records);
+
 }  // namespace gpf

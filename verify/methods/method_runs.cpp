@@ -53,7 +53,7 @@ std::optional<MethodResult> MethodStore::load(const MethodRun& run) const {
   const Json json = Json::parse(read_text(file), nullptr, false);
   try {
     if (json.at("identity") != identity(run)) return {};
-    MethodResult result{{{}, json.at("cpu_seconds")}, json.at("failure")};
+    MethodResult result{{{}, json.at("cpu_seconds"), {}}, json.at("failure")};
     for (const auto& [name, values] : json.at("quantities").items()) {
       Quantity q{name, values.size() > 1, {}};
       for (const Json& v : values)

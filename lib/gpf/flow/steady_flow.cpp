@@ -11,6 +11,7 @@
 #include "gpf/base/cpu_time.hpp"
 #include "gpf/base/error.hpp"
 #include "gpf/event/engine.hpp"
+#include "gpf/flow/range.hpp"
 #include "gpf/measure/measurement.hpp"
 #include "gpf/methods/all_pairs.hpp"
 #include "gpf/methods/contact_watcher.hpp"
@@ -164,6 +165,7 @@ SteadyFlow steady_flow(const Scene& scene, const Run& run, const MethodSetting& 
                      "set duration and sample_interval in [run]");
   const double before = thread_cpu_seconds();
   SteadyFlow flow{quantities_by(scene, run, setting, start)};
+  flow.warnings = range_warnings(scene, setting);
   flow.cpu_seconds = thread_cpu_seconds() - before;
   return flow;
 }

@@ -1,6 +1,8 @@
 // The steady flow of a scene by any method: the same quantities from all of them.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpf/flow/method_setting.hpp"
@@ -13,6 +15,7 @@ namespace gpf {
 struct SteadyFlow {
   std::vector<Quantity> quantities;
   double cpu_seconds = 0;
+  std::vector<std::string> warnings{};  ///< what lies beyond the method's range: see range.hpp
 };
 
 /// Runs `setting` on a scene for run.start_up and then measures for run.duration, sampling every run.sample_interval

@@ -12,7 +12,7 @@ namespace gpf {
 namespace {
 
 constexpr double skin = 0.4;  // of the list of neighbours, in diameters
-constexpr int fewest_steps = 10;
+constexpr int fewest_steps = 2;
 
 void require(bool ok, const char* problem, const char* why, const char* remedy) {
   if (!ok) throw InputError(problem, why, remedy);
@@ -39,8 +39,8 @@ SoftDisks::SoftDisks(const Scene& scene, const SoftContact& contact, const State
           "give as many of both as the scene has particles, at least one");
   require(contact.duration > 0 && std::isfinite(contact.duration), "a contact lasts no time",
           "soft disks overlap while they touch", "give a duration, 1/50 of the mean free time or less");
-  require(contact.steps_per_contact >= fewest_steps, "a contact has fewer than 10 steps",
-          "its restitution is then another one than the scene's", "take 50");
+  require(contact.steps_per_contact >= fewest_steps, "a contact has fewer than 2 steps",
+          "a spring cannot be followed so coarsely", "take 25");
   require(scene.normal_restitution > 0 && scene.wall_normal_restitution > 0, "a restitution is 0",
           "no linear dashpot has it", "take 0.05 or more, or hard disks");
   require(length_ > 2 * diameter_ && (channel_ || 1 > 2 * diameter_), "a period is too short",

@@ -41,7 +41,7 @@ struct SoftSums {
 class SoftDisks {
  public:
   /// Throws InputError when the start does not fit the scene, a restitution is 0 (no linear dashpot has it), or the
-  /// contact has no positive duration or less than 10 steps.
+  /// contact has no positive duration or less than 2 steps.
   SoftDisks(const Scene& scene, const SoftContact& contact, const State& start);
 
   [[nodiscard]] double time() const { return static_cast<double>(steps_) * step_; }

@@ -1,0 +1,35 @@
+// Where each method was found to hold, said before it is trusted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gpf/flow/method_setting.hpp"
+#include "gpf/scene/scene.hpp"
+
+namespace gpf {
+
+/// Measured limits: within them U, T and nu are within 5 % of the engine's (root mean square over the bins), beyond
+/// them not in every scene that was tried. The claims limits.* hold them against the engine.
+namespace range {
+
+// limits.hydrodynamics.knudsen, .restitution, .density
+inline constexpr double hydrodynamics_knudsen = 0.085;      ///< Enskog's mean free path over W, at the mean nu
+inline constexpr double hydrodynamics_inelasticity = 0.02;  ///< 1 - e_n
+inline constexpr double hydrodynamics_density = 0.35;       ///< mean nu
+
+// limits.monte-carlo
+inline constexpr double monte_carlo_cell = 1;            ///< height of a cell over Enskog's mean free path
+inline constexpr double monte_carlo_inelasticity = 0.1;  ///< 1 - e_n
+
+// limits.soft-disks.stiffness, .step: the pressure
+inline constexpr double soft_disks_contact = 0.05;  ///< in mean free times
+inline constexpr int soft_disks_steps = 8;          ///< in a contact
+
+}  // namespace range
+
+/// What of the scene or the setting lies beyond its method's range: a sentence each, with the limit and the claim that
+/// it is from; none when all is within.
+std::vector<std::string> range_warnings(const Scene& scene, const MethodSetting& setting);
+
+}  // namespace gpf

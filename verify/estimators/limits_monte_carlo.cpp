@@ -1,0 +1,142 @@
+// limits.monte-carlo, .dilute: where Enskog's equation gives the engine's flow, and how well when it is dilute.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "gpf/base/error.hpp"
+#include "gpf/flow/range.hpp"
+#include "verify/estimators/estimators.hpp"
+#include "verify/estimators/parallel.hpp"
+#include "verify/estimators/profile_misfit.hpp"
+
+namespace gpf {
+namespace {
+
+MethodSetting setting_of(const Claim& claim) {
+  MethodSetting setting;
+  setting.method = Method::monte_carlo;
+  setting.monte_carlo = {static_cast<int>(claim.parameter("cells")),
+                         static_cast<int>(claim.parameter("particles_per_cell")), claim.parameter("step")};
+  return setting;
+}
+
+struct Number {
+  const char *label, *quantity;
+  bool profile;  ///< averaged over the bins
+};
+constexpr std::array<Number, 4> numbers{{{"mean velocity", "mean_flow", false},
+                                         {"velocity at the centre", "centre_velocity", false},
+                                         {"temperature", "granular_temperature", true},
+                                         {"wall pressure", "wall_pressure_lower", false}}};
+
+/// A run for each replica; `failure` when one gave up.
+struct Flows {
+  std::vector<SteadyFlow> replicas;
+  std::string failure;
+};
+Flows flows_of(const SceneValues& scene, const MethodSetting& setting, double part) {
+  Flows flows{std::vector<SteadyFlow>(scene.replicas()), ""};
+  std::vector<std::string> failures(scene.replicas());
+  for_each_in_parallel(scene.replicas(), [&](std::size_t r) {
+    const Record& record = scene.records()[r];
+    Scene own = record.scene;
+    own.seed ^= 0x5eed;  // not the numbers that the engine's start was drawn with
+    try {
+      flows.replicas[r] = steady_flow(own, part_of(record.run, part), setting);
+    } catch (const PhysicsError& error) {
+      failures[r] = error.problem();
+    }
+  });
+  for (const std::string& failure : failures)
+    if (!failure.empty()) flows.failure = failure;
+  return flows;
+}
+
+}  // namespace
+
+Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecords& records) {
+  const MethodSetting setting = setting_of(claim);
+  const double tolerance = claim.tolerance_total();
+  Evidence evidence;
+  evidence.plot = {.title = "Largest misfit of U, T and nu",
+                   .xlabel = "mean nu",
+                   .ylabel = "root mean square over the bins, relative",
+                   .logx = true,
+                   .logy = true};
+  Series within{.label = "within the range"}, beyond{.label = "beyond it"};
+  const double before = process_cpu_seconds();
+  for (const SceneValues& scene : by_area_fraction(records)) {
+    const double nu = scene.scene().area_fraction();
+    const std::vector<std::string> warnings = range_warnings(scene.scene(), setting);
+    const Flows flows = flows_of(scene, setting, claim.parameter("part"));
+    if (!flows.failure.empty()) {
+      // A method that says so has not returned nonsense.
+      evidence.checks.push_back({.label = fmt::format("{}: given up, beyond the range", scene.name()),
+                                 .values = std::vector<double>(scene.replicas(), warnings.empty() ? 0.0 : 1.0),
+                                 .band = {1, 1},
+                                 .exact = true});
+      evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), flows.failure));
+      continue;
+    }
+    const std::vector<double> largest = largest_misfits(scene, flows.replicas);
+    add_point(warnings.empty() ? within : beyond, nu, largest);
+    if (warnings.empty()) {
+      for (const ComparedProfile& profile : compared_profiles)
+        evidence.checks.push_back({.label = fmt::format("{} of {}, within the range", profile.title, scene.name()),
+                                   .values = profile_misfits(scene, flows.replicas, profile.quantity),
+                                   .band = {0, tolerance},
+                                   .x = nu});
+    } else {
+      evidence.checks.push_back({.label = fmt::format("the largest misfit of {}, beyond the range", scene.name()),
+                                 .values = largest,
+                                 .band = {tolerance, std::numeric_limits<double>::infinity()},
+                                 .x = nu});
+      evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), fmt::join(warnings, "; ")));
+    }
+  }
+  evidence.extra_cpu_seconds = process_cpu_seconds() - before;
+  for (Series* series : {&within, &beyond})
+    if (!series->x.empty()) evidence.plot.series.push_back(std::move(*series));
+  evidence.notes.push_back("Setting: " + text_of(setting) + ".");
+  return evidence;
+}
+
+Evidence estimate_monte_carlo_dilute(const Claim& claim, Tier, const SceneRecords& records) {
+  const MethodSetting setting = setting_of(claim);
+  Evidence evidence;
+  evidence.plot = {.title = "Enskog Monte Carlo over the engine, less 1", .xlabel = "mean nu", .ylabel = "ratio - 1"};
+  const double before = process_cpu_seconds();
+  for (const Number& number : numbers) evidence.plot.series.push_back({.label = number.label});
+  for (const SceneValues& scene : by_area_fraction(records)) {
+    const Flows flows = flows_of(scene, setting, claim.parameter("part"));
+    if (!flows.failure.empty()) throw PhysicsError(flows.failure, scene.name(), "take a scene that is less dense");
+    std::size_t series = 0;
+    for (const Number& number : numbers) {
+      const int bins = number.profile ? scene.bins() : 1;
+      std::vector<double> engine(scene.replicas(), 0.0), method(scene.replicas(), 0.0);
+      for (int bin = 0; bin < bins; ++bin) {
+        const std::vector<double> values = scene.of(number.quantity, bin);
+        for (std::size_t r = 0; r < values.size(); ++r) {
+          engine[r] += values[r] / bins;
+          method[r] += values_of(flows.replicas[r].quantities, number.quantity)[static_cast<std::size_t>(bin)] / bins;
+        }
+      }
+      const double mean = over_replicas(engine).mean;
+      std::vector<double> ratio =
+          per_replica(scene.replicas(), [&](std::size_t r) { return (method[r] - engine[r]) / mean; });
+      add_point(evidence.plot.series[series++], scene.scene().area_fraction(), ratio);
+      evidence.checks.push_back({.label = fmt::format("{} of {}", number.label, scene.name()),
+                                 .values = std::move(ratio),
+                                 .band = band_about(0, claim.tolerance_total()),
+                                 .x = scene.scene().area_fraction()});
+    }
+  }
+  evidence.extra_cpu_seconds = process_cpu_seconds() - before;
+  evidence.notes.push_back("Setting: " + text_of(setting) + ".");
+  return evidence;
+}
+
+}  // namespace gpf
