@@ -16,6 +16,12 @@ Evidence estimate_energy(const Claim& claim, Tier tier, const SceneRecords& reco
 Evidence estimate_tc(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& records);
 
+// Where the engine, and the models that it needs, come to their ends.
+Evidence estimate_limits_collapse(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_tc(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_roundoff(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_engine(const Claim& claim, Tier tier, const SceneRecords& records);
+
 // Chapter 3: fields and velocity distributions.
 Evidence estimate_smooth_fields(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kurtosis(const Claim& claim, Tier tier, const SceneRecords& records);

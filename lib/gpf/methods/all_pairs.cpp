@@ -15,9 +15,14 @@ namespace {
 template <class Real>
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
-// Overlap up to this is round-off. The start state comes in double, whatever Real is; in double, positions then
-// gather about the square root of (contacts between a prediction and its execution) ulp: below 1000 for 10^6 contacts.
+// Overlap up to this is round-off. Positions gather about the square root of (contacts between a prediction and its
+// execution) ulp: below 1000 for 10^6 contacts.
 constexpr double tolerance_ulp = 4096;
+
+// The start state comes in double, so that no Real is finer than that.
+template <class Real>
+constexpr double coarsest_ulp = std::max<double>(std::numeric_limits<double>::epsilon(),
+                                                 static_cast<double>(std::numeric_limits<Real>::epsilon()));
 
 // A system whose disks never meet is looked at again for ever; step() gives up after this many looks.
 constexpr std::int64_t most_looks = 1'000'000;
@@ -45,8 +50,7 @@ AllPairs<Real>::AllPairs(const Scene& scene, const State& start)
       diameter_(static_cast<Real>(scene.diameter())),
       length_(static_cast<Real>(scene.length())),
       gravity_(static_cast<Real>(scene.gravity)),
-      tolerance_(
-          static_cast<Real>(tolerance_ulp * std::numeric_limits<double>::epsilon() * std::max(1.0, scene.length()))) {
+      tolerance_(static_cast<Real>(tolerance_ulp * coarsest_ulp<Real> * std::max(1.0, scene.length()))) {
   const auto count = static_cast<std::size_t>(std::max(0, scene.particles));
   require(count > 0 && start.position.size() == count && start.velocity.size() == count,
           "the start state does not fit the scene", "it must hold a position and a velocity for each disk",
@@ -59,7 +63,14 @@ AllPairs<Real>::AllPairs(const Scene& scene, const State& start)
     require(std::isfinite(r.x) && std::isfinite(r.y) && std::isfinite(u.x) && std::isfinite(u.y),
             "the start state holds a number that is not finite", "nothing can be predicted from it",
             "check how the state was made");
-    Disk disk{r.x, r.y, u.x, u.y, 0, 0, -infinite<long double>, 0};
+    Disk disk{static_cast<Real>(r.x),
+              static_cast<Real>(r.y),
+              static_cast<Real>(u.x),
+              static_cast<Real>(u.y),
+              0,
+              0,
+              -infinite<long double>,
+              0};
     wrap(disk);
     disk.turns = 0;
     disk.start_x = disk.x;
@@ -322,6 +333,7 @@ double AllPairs<Real>::gravity_work() const {
   return static_cast<double>(gravity_ * sum);
 }
 
+template class AllPairs<float>;
 template class AllPairs<double>;
 template class AllPairs<long double>;
 

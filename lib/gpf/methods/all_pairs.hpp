@@ -45,7 +45,7 @@ struct AllPairsSums {
 /// frame. TC model: with tc_time > 0 a contact is elastic in its normal (e_n or e_w = 1; beta always acts) when either
 /// partner's last contact, with a disk or a wall, was at most tc_time ago. Ties: the lowest disk goes first.
 ///
-/// Real is double or long double; the second shows how fast round-off grows in the first.
+/// Real is float, double or long double: finer ones show how fast round-off grows in coarser ones.
 template <class Real>
 class AllPairs {
  public:
@@ -123,6 +123,7 @@ class AllPairs {
   ContactWatcher* watcher_ = nullptr;
 };
 
+extern template class AllPairs<float>;
 extern template class AllPairs<double>;
 extern template class AllPairs<long double>;
 

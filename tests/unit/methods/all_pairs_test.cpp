@@ -291,6 +291,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(deeper_overlaps_are_errors_with_the_disks_and_the_
   });
 }
 
+BOOST_AUTO_TEST_CASE(in_single_precision_round_off_is_that_of_single_precision) {
+  Scene s = scene(Geometry::channel, 2);
+  const double d = s.diameter();
+  AllPairs<float> oracle(s, {{{0.5, 0.3}, {0.5 + d * (1 - 1e-6), 0.3}}, {{0.4, 0}, {0.1, 0}}});
+  BOOST_TEST(oracle.step().time == 0);  // inside each other by less than a float can tell
+  check_vector(oracle.state().velocity[0], {0.1, 0}, 1e-7);
+  check_vector(oracle.state().velocity[1], {0.4, 0}, 1e-7);
+  BOOST_CHECK_THROW(AllPairs<float>(s, {{{0.5, 0.3}, {0.5 + 0.98 * d, 0.3}}, {{}, {}}}), PhysicsError);
+  const State deep{{{0.5, 0.3}, {0.5 + d * (1 - 1e-6), 0.3}}, {{}, {}}};
+  BOOST_CHECK_THROW(AllPairs<double>(s, deep), PhysicsError);
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(newtons_cradle_passes_the_blow_on_in_one_instant, Real, Reals) {
   Scene s = scene(Geometry::channel, 6);
   const double d = s.diameter();
