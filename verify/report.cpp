@@ -11,6 +11,7 @@
 #include "verify/report_claim_page.hpp"
 #include "verify/report_errata.hpp"
 #include "verify/report_front_page.hpp"
+#include "verify/report_limits.hpp"
 #include "verify/report_pictures.hpp"
 
 namespace gpf {
@@ -52,6 +53,7 @@ class ReportWriter {
     // A plot without a single finite number belongs to a claim that failed; its page is wanted all the more.
     if (is_drawable(judged.verdict.plot)) {
       draw(judged.verdict.plot, fmt::format("claims/{}.svg", id));
+      plots_.insert(id);
       pictures.plot = id + ".svg";
     }
     for (const Drawing& drawing : judged.verdict.drawings) {
@@ -66,6 +68,11 @@ class ReportWriter {
     std::set<std::string> pages;
     for (const JudgedClaim& judged : data.claims) pages.insert(judged.claim.id);
     write(errata_page(data.errata, pages), "errata.md");
+  }
+
+  void limits(const ReportData& data) {
+    const std::string page = limits_page(data, plots_);
+    if (!page.empty()) write(page, "limits.md");
   }
 
   fs::path front(const ReportData& data) {
@@ -90,9 +97,10 @@ class ReportWriter {
       for (const std::string& name : names)
         if (!written_.contains(name)) fs::remove(output_ / name);
     }
-    const fs::path errata = output_ / "errata.md";
-    if (!written_.contains("errata.md") && fs::exists(errata) && read_text(errata).starts_with(page_marker))
-      fs::remove(errata);
+    for (const char* name : {"errata.md", "limits.md"}) {
+      const fs::path page = output_ / name;
+      if (!written_.contains(name) && fs::exists(page) && read_text(page).starts_with(page_marker)) fs::remove(page);
+    }
     if (!written_.contains("bias-and-scatter.svg")) fs::remove(output_ / "bias-and-scatter.svg");
   }
 
@@ -110,7 +118,7 @@ class ReportWriter {
   }
 
   fs::path output_;
-  std::set<std::string> written_;
+  std::set<std::string> written_, plots_;
 };
 
 }  // namespace
@@ -119,6 +127,7 @@ fs::path write_report(const ReportData& data, const fs::path& output) {
   ReportWriter writer(output);
   for (const JudgedClaim& judged : data.claims) writer.claim(judged);
   writer.errata(data);
+  writer.limits(data);
   fs::path front = writer.front(data);
   // A report on a part of the claims says nothing of the others' pages.
   if (data.claims.size() >= data.of_claims) writer.remove_leftovers();

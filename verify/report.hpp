@@ -19,6 +19,7 @@ struct ReportOptions {
 /// Writes
 ///   <output>/README.md, bias-and-scatter.svg     the front page
 ///   <output>/errata.md                         errata of the source, when there is a list
+///   <output>/limits.md                         where methods fail, when claims limits.* are among them
 ///   <output>/claims/<id>.md, <id>.svg            a page per claim, and the claim's own plot
 ///   <output>/checks/<id>.svg                     its checks against their bands
 /// and removes pages of an earlier report whose claim is gone, with their pictures. Runs no physics; equal verdicts and

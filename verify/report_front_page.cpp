@@ -10,6 +10,7 @@
 #include "verify/duration_text.hpp"
 #include "verify/report_check.hpp"
 #include "verify/report_claim_page.hpp"
+#include "verify/report_limits.hpp"
 #include "verify/report_markdown.hpp"
 #include "verify/verdict_summary.hpp"
 
@@ -63,6 +64,15 @@ std::string errata_link(const ReportData& data) {
   return fmt::format(
       "\n## Errata of the source\n\n[{} place(s)](errata.md) where the source cannot mean what it prints.\n",
       data.errata.size());
+}
+
+std::string limits_link(const ReportData& data) {
+  const auto limits =
+      std::count_if(data.claims.begin(), data.claims.end(), [](const JudgedClaim& c) { return is_limit(c.claim); });
+  if (limits == 0) return {};
+  return fmt::format(
+      "\n## Where methods fail\n\n[{} claim(s)](limits.md) on the limits of the engine and of the other methods.\n",
+      limits);
 }
 
 std::string claims_table(const ReportData& data) {
@@ -157,7 +167,8 @@ std::string front_page(const ReportData& data, const std::string& picture, const
         "Each point is a check, in half widths of its band around the band's centre; the bar is its "
         "confidence interval.\nA claim passes when all its bars lie in the shaded band.{}\n",
         picture, picture_caption);
-  return text + departures(data) + errata_link(data) + runs_table(data) + reproduction(data) + provenance(data);
+  return text + departures(data) + limits_link(data) + errata_link(data) + runs_table(data) + reproduction(data) +
+         provenance(data);
 }
 
 }  // namespace gpf

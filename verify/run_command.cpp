@@ -16,6 +16,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
+#include "gpf/flow/range.hpp"
 #include "gpf/io/record.hpp"
 #include "gpf/scene/scene_file.hpp"
 #include "verify/commands.hpp"
@@ -106,6 +107,7 @@ int run(const RunOptions& options, std::vector<std::string> command) {
     throw InputError(fmt::format("'{}' exists", checkpoint.string()), "an earlier run was stopped on its way",
                      "--resume to go on with it, or --force to begin anew");
 
+  for (const std::string& warning : range_warnings(file.scene, {})) fmt::print(stderr, "gpf: warning: {}\n", warning);
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, request_stop);
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   SimulationOptions simulation;

@@ -60,10 +60,24 @@ void add_soft_disks(const MethodSetting& setting, std::vector<std::string>& warn
                     setting.steps, range::soft_disks_steps));
 }
 
+void add_hard_disks(const Scene& scene, std::vector<std::string>& warnings) {
+  const double rate = scene.tc_time * scene.reference_collision_rate();
+  if (rate > range::tc_rate)
+    warnings.push_back(
+        fmt::format("t_c is {:.2g} mean free times of the start, the flow was found not to depend on it up "
+                    "to {} (limits.tc)",
+                    rate, range::tc_rate));
+  if (scene.tc_time == 0 && scene.normal_restitution <= range::collapse_restitution)
+    warnings.push_back(
+        fmt::format("e_n is {} without the TC model, where runs were found to collapse (limits.collapse)",
+                    scene.normal_restitution));
+}
+
 }  // namespace
 
 std::vector<std::string> range_warnings(const Scene& scene, const MethodSetting& setting) {
   std::vector<std::string> warnings;
+  if (setting.method == Method::event_driven || setting.method == Method::all_pairs) add_hard_disks(scene, warnings);
   if (setting.method == Method::hydrodynamics) add_hydrodynamics(scene, warnings);
   if (setting.method == Method::monte_carlo) add_monte_carlo(scene, setting.monte_carlo, warnings);
   if (setting.method == Method::soft_disks) add_soft_disks(setting, warnings);

@@ -13,6 +13,10 @@ namespace gpf {
 /// them not in every scene that was tried. The claims limits.* hold them against the engine.
 namespace range {
 
+// limits.tc, limits.collapse: the engine and its oracle
+inline constexpr double tc_rate = 0.01;              ///< t_c times the collision rate of a disk
+inline constexpr double collapse_restitution = 0.8;  ///< without the TC model runs collapsed up to this e_n
+
 // limits.hydrodynamics.knudsen, .restitution, .density
 inline constexpr double hydrodynamics_knudsen = 0.085;      ///< Enskog's mean free path over W, at the mean nu
 inline constexpr double hydrodynamics_inelasticity = 0.02;  ///< 1 - e_n
