@@ -44,7 +44,7 @@ void print_profiles(const std::vector<Quantity>& quantities) {
   const std::size_t bins = values_of(quantities, "area_fraction").size();
   for (std::size_t b = 0; b < bins; ++b) {
     text += fmt::format("\n{:8.4f}", (static_cast<double>(b) + 0.5) / static_cast<double>(bins));
-    for (const auto& [name, title] : columns) text += fmt::format(" {:11.5g}", values_of(quantities, name)[b]);
+    for (const auto& [name, title] : columns) text += fmt::format(" {:>11.5g}", values_of(quantities, name)[b]);
   }
   text += "\n";
   for (const char* name : {"mean_flow", "slip_velocity", "wall_temperature", "wall_pressure_lower", "wall_shear_lower",

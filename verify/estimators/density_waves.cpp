@@ -1,12 +1,15 @@
 // Chapter 5: waves.classifier on made configurations, and the waves.* claims, which say what structure a scene has.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
 #include "gpf/base/error.hpp"
+#include "gpf/io/markdown.hpp"
 #include "gpf/io/snapshot.hpp"
+#include "gpf/measure/density_spectrum.hpp"
 #include "verify/estimators/density_structure.hpp"
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/made_structures.hpp"
@@ -122,6 +125,45 @@ void note_motion(const SceneValues& scene, const Window& late, Evidence& evidenc
                     "nearest to that of the speeds which its phase allows (last "
                     "snapshots of {} runs).",
                     scene.name(), text(speeds), text(lags), text(flows), speeds.size()));
+}
+
+/// P(kx, ky) over its noise, averaged over the states that a run kept from `from` on and over ky and -ky. Power does
+/// not depend on where along the channel a wave stands: this is what an average in the frame of the wave would show.
+std::map<std::pair<int, int>, double> mean_spectrum(const Record& record, double from) {
+  constexpr int along = 64, across = 32, most_kx = 8, most_ky = 3;
+  std::vector<const State*> states{&record.final_state};
+  for (const Snapshot& s : record.snapshots)
+    if (s.time >= from) states.push_back(&s.state);
+  const double unit = noise_of_spectrum(record.scene) * static_cast<double>(states.size());
+  std::map<std::pair<int, int>, double> mean;
+  for (const State* state : states) {
+    const DensitySpectrum spectrum(density_field(record.scene, *state, along, across));
+    for (int kx = 0; kx <= most_kx; ++kx)
+      for (int ky = 0; ky <= most_ky; ++ky)
+        if (kx + ky > 0) mean[{kx, ky}] += (spectrum.power(kx, ky) + spectrum.power(kx, -ky)) / (2 * unit);
+  }
+  return mean;
+}
+
+/// The highest peaks of the replicas' mean spectra, with their errors.
+void note_spectrum(const SceneValues& scene, const Window& late, Evidence& evidence) {
+  constexpr std::size_t shown = 6;
+  std::map<std::pair<int, int>, std::vector<double>> powers;
+  for (const Record& record : scene.records())
+    for (const auto& [mode, power] : mean_spectrum(record, late.from)) powers[mode].push_back(power);
+  std::vector<std::pair<double, std::string>> peaks;
+  for (const auto& [mode, values] : powers) {
+    const Estimate e = over_replicas(values);
+    peaks.emplace_back(e.mean, fmt::format("({}, {}) {}", mode.first, mode.second, number_with_error(e.mean, e.error)));
+  }
+  std::sort(peaks.rbegin(), peaks.rend());
+  peaks.resize(std::min(peaks.size(), shown));
+  std::vector<std::string> texts;
+  for (const auto& [power, text] : peaks) texts.push_back(text);
+  evidence.notes.push_back(
+      fmt::format("{}: highest peaks (kx, ky) of the two-dimensional spectrum of the density, averaged over the states "
+                  "kept from t = {:.3g} on and over {} replicas, in units of the noise 2 nu^2/N: {}.",
+                  scene.name(), late.from, scene.replicas(), fmt::join(texts, ", ")));
 }
 
 /// The first replica's snapshots, without the last, which is there for the speed.
@@ -257,6 +299,7 @@ Evidence estimate_density_waves(const Claim& claim, Tier, const SceneRecords& re
     check_class(scene, late, stated->second, evidence);
     check_shift(scene, parameter("toward_rougher", 0), evidence);
     note_motion(scene, late, evidence);
+    note_spectrum(scene, late, evidence);
     draw(scene, records.size() > 2, evidence.plot);
     draw_snapshots(scene, evidence);
   }

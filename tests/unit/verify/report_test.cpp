@@ -140,6 +140,19 @@ BOOST_AUTO_TEST_CASE(drawings_are_shown_below_the_plot_and_go_with_their_claim) 
   BOOST_TEST(!files.contains("claims/a.one+2.svg"));
 }
 
+BOOST_AUTO_TEST_CASE(limits_stand_together_by_method) {
+  JudgedClaim hydro = gpf::test::passing("limits.hydrodynamics.knudsen");
+  hydro.verdict.plot = line();
+  const auto files = report_on({gpf::test::passing("a.one"), hydro, gpf::test::failing("limits.tc")});
+  BOOST_TEST(contains(section(files.at("README.md"), "Where methods fail"), "[2 claim(s)](limits.md)"));
+  const std::string& page = files.at("limits.md");
+  BOOST_TEST(contains(section(page, "Channel hydrodynamics"), "(claims/limits.hydrodynamics.knudsen.svg)"));
+  BOOST_TEST(contains(section(page, "The engine, its models, and the advice"), "[limits.tc](claims/limits.tc.md)"));
+  BOOST_TEST(!contains(page, "limits.tc.svg"));
+  BOOST_TEST(!contains(page, "stress.jr.limit"));
+  BOOST_TEST(!report_on({gpf::test::passing("a.one")}).contains("limits.md"));
+}
+
 BOOST_AUTO_TEST_CASE(nothing_red_is_said_so) {
   const auto files = report_on({gpf::test::passing("a.one")});
   BOOST_TEST(section(files.at("README.md"), "Red or inconclusive") == "## Red or inconclusive\n\nNone.\n");
