@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   Scene s = scene(Geometry::periodic, 2);
   const State start{{{0.5, 0.5}, {0.7, 0.5}}, {{1, 0}, {-1, 0}}};
   BOOST_CHECK_THROW(SoftDisks(s, {0, 50}, start), InputError);
-  BOOST_CHECK_THROW(SoftDisks(s, {0.01, 9}, start), InputError);
+  BOOST_CHECK_THROW(SoftDisks(s, {0.01, 1}, start), InputError);
   BOOST_CHECK_THROW(SoftDisks(s, {0.01, 50}, {{{0.5, 0.5}}, {{1, 0}}}), InputError);
   s.normal_restitution = 0;
   BOOST_CHECK_THROW(SoftDisks(s, {0.01, 50}, start), InputError);
