@@ -21,6 +21,7 @@ struct Field {
   std::string_view key;
   std::function<std::string(const MethodSetting&)> show;
   std::function<bool(MethodSetting&, std::string_view)> read;
+  std::string_view silent{};  ///< the value that a text leaves out
 };
 
 template <class Number>
@@ -46,6 +47,14 @@ Field closure_field() {
           }};
 }
 
+/// Records made before there was this number are found under a text without it.
+Field along_field() {
+  Field along = field(
+      "along", [](auto& s) -> auto& { return s.monte_carlo.cells_along; });
+  along.silent = "1";
+  return along;
+}
+
 std::vector<Field> fields_of(Method method) {
   switch (method) {
     case Method::soft_disks:
@@ -59,7 +68,8 @@ std::vector<Field> fields_of(Method method) {
               field(
                   "particles", [](auto& s) -> auto& { return s.monte_carlo.particles_per_cell; }),
               field(
-                  "step", [](auto& s) -> auto& { return s.monte_carlo.step; })};
+                  "step", [](auto& s) -> auto& { return s.monte_carlo.step; }),
+              along_field()};
     case Method::hydrodynamics:
       return {field(
                   "cells", [](auto& s) -> auto& { return s.hydrodynamics.cells; }),
@@ -88,7 +98,8 @@ std::string_view name_of(Method method) { return names[static_cast<std::size_t>(
 
 std::string text_of(const MethodSetting& setting) {
   std::string text{name_of(setting.method)};
-  for (const Field& f : fields_of(setting.method)) text += fmt::format(" {}={}", f.key, f.show(setting));
+  for (const Field& f : fields_of(setting.method))
+    if (const std::string value = f.show(setting); value != f.silent) text += fmt::format(" {}={}", f.key, value);
   return text;
 }
 

@@ -80,7 +80,8 @@ std::vector<Quantity> disks(Simulator simulator, const Scene& scene, const Run& 
 
 std::vector<Quantity> monte_carlo(const Scene& scene, const Run& run, const MonteCarloSetting& setting) {
   EnskogMonteCarlo simulator(scene, setting);
-  // The simulated particles are the disks of a channel that is so long that there are as many.
+  // The simulated particles are the disks of a channel that is so long that there are as many. With cells along the
+  // channel their x have the scene's period, which no quantity here knows of.
   Scene long_channel = scene;
   long_channel.particles = static_cast<std::int32_t>(simulator.particles());
   long_channel.length_over_width = scene.length() * long_channel.particles / scene.particles;

@@ -17,9 +17,10 @@ struct MonteCarloSetting {
   int cells = 40;                ///< across the channel: the centres' room is divided evenly
   int particles_per_cell = 200;  ///< simulated, on average; each stands for (N/L)/(all of them) disks per length
   double step = 0.1;             ///< at most, in mean free times of the present
+  int cells_along = 1;           ///< along the channel, over its period L; 1: uniform along it, no x
 };
 
-/// Time averages in the cells.
+/// Averages over time and the length of the channel, in the cells across it.
 struct MonteCarloProfile {
   std::vector<double> y;  ///< middles of the cells
   std::vector<double> mean_velocity, granular_temperature, area_fraction;
@@ -33,27 +34,39 @@ struct MonteCarloSums {
   std::array<double, 2> wall_loss{}, wall_normal{}, wall_tangential{};
 };
 
-/// Montanero & Santos, Phys. Rev. E 54, 438 (1996), for inelastic disks in a channel (or a periodic gas) that is
-/// uniform along x: free flight under gravity with the scene's walls, then collisions of each particle i, with a
-/// direction s at random, and a particle j that is at random in the cell at y_i + d s_y, at the rate 2 pi d chi n (g.s)
-/// where g.s = (c_i - c_j).s > 0, chi Henderson's contact value for the part of the
-/// slab y +- d/2 about the point half way that disks cover. Half a flight before the collisions of a step
-/// and half after them: seen between steps, the split is of second order. Momentum is conserved by every collision. No
-/// correlations of velocities, no layers, no crystal: the theory's assumptions are the method's limits.
+/// Montanero & Santos, Phys. Rev. E 54, 438 (1996), for inelastic disks in a channel (or a periodic gas): free flight
+/// under gravity with the scene's walls, then collisions of each particle i, with a direction s at random, and a
+/// particle j that is at random in the cell at r_i + d s, at the rate 2 pi d chi n (g.s) where
+/// g.s = (c_i - c_j).s > 0, chi Henderson's contact value for the part of the slab y +- d/2 about the point half way
+/// that disks cover. Half a flight before the collisions of a step and half after them: seen between steps, the split
+/// is of second order. Momentum is conserved by every collision. No correlations of velocities, no layers, no crystal:
+/// the theory's assumptions are the method's limits.
+///
+/// With one cell along the channel the flow is uniform along x, no particle has an x, and coverages are averaged over
+/// the last 20 mean free times. With more, particles move along x too, with period L. Then the coverage is that of the
+/// present, since waves that the flow carries past would be smeared by an average over time; instead it is averaged
+/// along x over +- 3 d, with weights that fall linearly. Few particles still make the rate of collisions too large,
+/// since chi is largest when the partners are many: with 20 in a cell at nu = .5 by .5 % in cells of a diameter, by 9 %
+/// in cells that are three long.
 class EnskogMonteCarlo {
  public:
-  /// Throws InputError for less than 4 cells, 10 particles in each or a step that is not in (0, 1/2];
-  /// PhysicsError as advance().
+  /// At rest on average, at random places. Throws InputError for less than 4 cells across, 1 along or 10 particles in
+  /// each, for more than 2^31 - 1 particles, cells that are shorter than a diameter along x, or a step that is not in
+  /// (0, 1/2]; PhysicsError as advance().
   EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting);
+  /// Begins with a state of as many particles as the setting has; its x count with more than one cell along only.
+  /// Throws InputError besides when the number is another one or a particle is out of the channel.
+  EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting, const State& start);
 
   [[nodiscard]] double time() const { return time_; }
-  /// Moves on to `until`. Throws PhysicsError when such a slab is denser than .7, averaged over the
-  /// last 20 mean free times: there disks freeze and the contact value is no longer theirs.
+  /// Moves on to `until`. Throws PhysicsError when such a slab is denser than .7, averaged over the last 20 mean free
+  /// times: there disks freeze and the contact value is no longer theirs. With more than one cell along: when, averaged
+  /// so, more than 1 % of the particles are in such slabs, since now and then one is by chance.
   void advance(double until);
-  /// Shows every collision from now on, as one of the simulated particles at x = 0, at a time within the step; not
-  /// owned, must outlive this or be replaced. Null: nobody.
+  /// Shows every collision from now on, as one of the simulated particles, at a time within the step; not owned, must
+  /// outlive this or be replaced. Null: nobody.
   void watch(ContactWatcher* watcher) { watcher_ = watcher; }
-  /// Lab frame at time(); all x are 0.
+  /// Lab frame at time(), of the simulated particles; with one cell along all x are 0.
   [[nodiscard]] State state() const;
 
   /// Adds the present state to the averages.
@@ -64,7 +77,7 @@ class EnskogMonteCarlo {
   [[nodiscard]] const MonteCarloSums& sums() const { return sums_; }
   /// Kinetic energy per length.
   [[nodiscard]] double kinetic_energy() const;
-  [[nodiscard]] std::size_t particles() const { return y_.size(); }
+  [[nodiscard]] std::size_t particles() const { return position_.size(); }
   [[nodiscard]] const std::vector<Vec2>& velocities() const { return velocity_; }
 
  private:
@@ -72,29 +85,34 @@ class EnskogMonteCarlo {
   void take_steps(int steps);
   void fly(double time);
   void bounce(std::size_t i, double time);
+  void go_along(std::size_t i, double distance);
   void sort_into_cells();
   void average_coverage();
+  void refuse_frozen();
   void collide();
   [[nodiscard]] std::vector<double> crowds() const;
-  [[nodiscard]] int cell_of(double y) const;
+  [[nodiscard]] int row_of(double y) const;
+  [[nodiscard]] std::size_t cell_of(Vec2 r) const;
+  [[nodiscard]] std::size_t cell_at(int row, int column) const;
 
   Scene scene_;
   bool channel_;
-  double diameter_, bottom_, room_, setting_step_, step_, weight_, memory_;
+  double diameter_, bottom_, room_, length_, setting_step_, step_, weight_;
+  double memory_, renewal_;  // part that each step has in the averages over time; in those of fraction_
   double time_ = 0;
-  int cells_;
+  int cells_, along_;  // rows, and columns of cells; cells of a column follow one another
   std::uint64_t steps_ = 0;
   double fastest_ = 0;             // speed of approach for which candidates are drawn
   double missed_ = 0, taken_ = 0;  // collisions too fast for it, and all, of the last hundred steps
-  std::vector<double> y_;
-  std::vector<Vec2> velocity_;
+  std::vector<Vec2> position_, velocity_;
   std::vector<std::uint32_t> order_, first_;  // particles by cell, and where each cell begins
-  std::vector<double> fraction_;  // of centres, as area fraction, by cell; averaged over the last mean free times
-  std::vector<double> kernel_, coverage_;  // weights of cells k apart; fraction_ averaged with them
+  std::vector<double> fraction_;  // of centres, as area fraction, by cell; of a uniform flow averaged over time
+  std::vector<double> kernel_, kernel_along_, coverage_;  // weights of cells k apart; fraction_ averaged with them
+  double frozen_ = 0;  // part of the particles where it is frozen, averaged over time
   MonteCarloSums sums_;
   ContactWatcher* watcher_ = nullptr;
   double samples_ = 0;
-  std::vector<double> count_, sum_x_, sum_y_, squares_;  // by cell
+  std::vector<double> count_, sum_x_, sum_y_, squares_;  // by row
 };
 
 }  // namespace gpf

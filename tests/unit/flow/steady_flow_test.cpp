@@ -44,8 +44,12 @@ SteadyFlow by(const char* method, const Case& c, const State* start = nullptr) {
   return steady_flow(c.scene, c.run, parse_method(method), start);
 }
 
-constexpr std::array methods{"event_driven", "all_pairs", "soft_disks contact=0.02 steps=20",
-                             "monte_carlo cells=20 particles=40", "hydrodynamics"};
+constexpr std::array methods{"event_driven",
+                             "all_pairs",
+                             "soft_disks contact=0.02 steps=20",
+                             "monte_carlo cells=20 particles=40",
+                             "monte_carlo cells=20 particles=10 along=6",
+                             "hydrodynamics"};
 
 }  // namespace
 

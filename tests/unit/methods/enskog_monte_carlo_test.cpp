@@ -1,4 +1,5 @@
-// Enskog's equation by Monte Carlo: its collision rate and cooling, what it conserves, its walls and its range.
+// Enskog's equation by Monte Carlo: its collision rate and cooling, what it conserves, its walls, its waves and its
+// range.
 #include "gpf/methods/enskog_monte_carlo.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +7,7 @@
 #include <numbers>
 
 #include "gpf/base/error.hpp"
+#include "gpf/base/random.hpp"
 #include "gpf/theory/contact_value.hpp"
 #include "gpf/theory/enskog.hpp"
 
@@ -38,6 +40,37 @@ double temperature(const EnskogMonteCarlo& mc) {
   double sum = 0;
   for (const Vec2 v : mc.velocities()) sum += dot(v, v) / 2;
   return sum / static_cast<double>(mc.particles());
+}
+
+/// A narrow channel, two widths long.
+Scene narrow() {
+  Scene s = channel(0.2, 0.95, 0.3);
+  s.particles = 51;
+  s.width_over_diameter = 10;
+  s.length_over_width = std::numbers::pi * 51 / (4 * 0.2 * 10 * 10);
+  return s;
+}
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// Particles anywhere across a periodic gas, with density 1 + a cos(2 pi x/L) and temperature 1 + b cos(2 pi x/L).
+State wave(std::size_t count, double length, double a, double b) {
+  State state;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    double x = part;
+    for (int k = 0; k < 50; ++k) x = part - a / turn * std::sin(turn * x);
+    state.position.push_back({length * x, random_words(5, 9, i)[0] * 0x1p-32});
+    state.velocity.push_back(std::sqrt(1 + b * std::cos(turn * x)) * gaussian_pair(3, i));
+  }
+  return state;
+}
+
+/// Mean of exp(2 pi i x/L).
+Vec2 first_mode(const State& state, double length) {
+  Vec2 sum;
+  for (const Vec2 r : state.position) sum = sum + Vec2{std::cos(turn * r.x / length), std::sin(turn * r.x / length)};
+  return (1 / static_cast<double>(state.position.size())) * sum;
 }
 
 }  // namespace
@@ -128,12 +161,144 @@ BOOST_AUTO_TEST_CASE(equal_seeds_give_equal_runs) {
   BOOST_TEST(energy() != once);
 }
 
+// What the program gave before it had cells along the channel.
+BOOST_AUTO_TEST_CASE(one_cell_along_gives_what_it_always_gave) {
+  EnskogMonteCarlo mc(channel(0.1, 0.95, 0.5), {.cells = 8, .particles_per_cell = 20, .step = 0.2});
+  for (int k = 1; k <= 10; ++k) mc.advance(k / 10.0);
+  BOOST_TEST(mc.sums().collisions == 1107U);
+  BOOST_TEST(std::abs(mc.kinetic_energy() / 99.800900191950461 - 1) < 1e-12);
+  BOOST_TEST(std::abs(mc.sums().pair_loss / 59.08577473439869 - 1) < 1e-12);
+  for (const Vec2 r : mc.state().position) BOOST_REQUIRE(r.x == 0);
+}
+
+// As above: 10,400 particles in cells of two diameters, some 100,000 collisions. With 20 particles a cell the rate is
+// half a percent large.
+BOOST_AUTO_TEST_CASE(cells_along_keep_the_rate_energy_and_momentum) {
+  const Scene s = gas(0.3, 1);
+  EnskogMonteCarlo mc(s, {.cells = 20, .particles_per_cell = 20, .step = 0.2, .cells_along = 26});
+  const double before = mc.kinetic_energy(), t = temperature(mc);
+  const double rate = collision_rate({0.3, t, s.diameter(), henderson_contact_value(0.3)});
+  mc.advance(20 / rate);
+  const double per_particle = 2 * static_cast<double>(mc.sums().collisions) / static_cast<double>(mc.particles());
+  BOOST_TEST(std::abs(per_particle / (rate * mc.time()) - 1) < 0.015, per_particle / (rate * mc.time()));
+  BOOST_TEST(std::abs(mc.kinetic_energy() / before - 1) < 1e-12);
+  Vec2 momentum;
+  for (const Vec2 v : mc.velocities()) momentum = momentum + v;
+  BOOST_TEST(std::abs(momentum.x) + std::abs(momentum.y) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(a_uniform_flow_is_the_same_with_cells_along) {
+  const Scene s = narrow();
+  struct Result {
+    MonteCarloProfile profile;
+    double collisions;  // of a particle
+  };
+  const auto result = [&](const MonteCarloSetting& setting) {
+    EnskogMonteCarlo mc(s, setting);
+    const double before = mc.kinetic_energy();
+    for (double t = 15; t < 40; t += 0.25) {
+      mc.advance(t);
+      mc.sample();
+    }
+    const MonteCarloSums& sums = mc.sums();
+    BOOST_TEST(std::abs((mc.kinetic_energy() - before - sums.gravity_work + sums.pair_loss + sums.wall_loss[0] +
+                         sums.wall_loss[1]) /
+                        sums.gravity_work) < 1e-10);
+    return Result{mc.profile(), 2 * static_cast<double>(sums.collisions) / static_cast<double>(mc.particles())};
+  };
+  const Result one = result({.cells = 10, .particles_per_cell = 160, .step = 0.2}),
+               many = result({.cells = 10, .particles_per_cell = 32, .step = 0.2, .cells_along = 5});
+  // 160 particles a row, seen 100 times of which a tenth are independent: T to 3 %, U/sqrt(T) and nu to 3 %; U of all
+  // swings slowly, by 2 %.
+  BOOST_TEST(std::abs(many.collisions / one.collisions - 1) < 0.03, many.collisions / one.collisions);
+  for (std::size_t c = 0; c < 10; ++c) {
+    const auto ratio = [&](const std::vector<double>& a, const std::vector<double>& b) { return a[c] / b[c] - 1; };
+    BOOST_TEST(std::abs(ratio(many.profile.mean_velocity, one.profile.mean_velocity)) < 0.06);
+    BOOST_TEST(std::abs(ratio(many.profile.granular_temperature, one.profile.granular_temperature)) < 0.1);
+    BOOST_TEST(std::abs(ratio(many.profile.area_fraction, one.profile.area_fraction)) < 0.08);
+  }
+}
+
+// Walls that change no velocity along x, and disks so small that none meet: each x is x_0 + c t + g t^2/2, and a wave
+// decays as exp(-k^2 t^2/2) at T = 1 while it falls with the gas.
+BOOST_AUTO_TEST_CASE(without_collisions_waves_spread_and_fall_freely) {
+  Scene s = channel(0.1, 1, 1);
+  s.particles = 10;
+  s.width_over_diameter = 1e6;
+  s.length_over_width = 3;
+  const State start = [&] {
+    State state = wave(20000, s.length(), 0.4, 0);
+    for (Vec2& r : state.position) r.y = 0.001 + 0.998 * r.y;
+    return state;
+  }();
+  EnskogMonteCarlo mc(s, {.cells = 4, .particles_per_cell = 500, .step = 0.1, .cells_along = 10}, start);
+  mc.advance(0.3);
+  mc.advance(0.7);
+  BOOST_REQUIRE(mc.sums().collisions == 0U);
+  const State end = mc.state();
+  const double t = 0.7;
+  double worst = 0;
+  for (std::size_t i = 0; i < end.position.size(); ++i) {
+    const double off = end.position[i].x - (start.position[i].x + start.velocity[i].x * t + t * t / 2);
+    worst = std::max(worst, std::abs(off - s.length() * std::round(off / s.length())));
+    BOOST_REQUIRE((end.position[i].x >= 0 && end.position[i].x < s.length()));
+  }
+  BOOST_TEST(worst < 1e-12);
+  const Vec2 before = first_mode(start, s.length()), now = first_mode(end, s.length());
+  BOOST_TEST(std::abs(before.x - 0.2) < 1e-6);
+  const double k = turn / s.length(), left = 0.2 * std::exp(-k * k * t * t / 2);
+  // Noise of a component: 1/sqrt(2 N) = .005; 4 of it.
+  BOOST_TEST(std::abs(now.x - left * std::cos(k * t * t / 2)) < 0.02);
+  BOOST_TEST(std::abs(now.y - left * std::sin(k * t * t / 2)) < 0.02);
+}
+
+// Enskog's pressure needs partners a diameter away along x as well. Density a cos kx with temperature Z a cos kx is a
+// standing wave of sound: cos(ckt) and a damping, c^2 = T (d(nu Z)/d nu + Z^2), Z = 1 + 2 nu chi. Without the
+// collisions' share the wave would take three times as long.
+BOOST_AUTO_TEST_CASE(sound_has_enskogs_speed) {
+  const double nu = 0.3, h = 1e-5;
+  const auto pressure = [](double n) { return n * (1 + 2 * n * henderson_contact_value(n)); };
+  const double z = pressure(nu) / nu;
+  const double speed = std::sqrt((pressure(nu + h) - pressure(nu - h)) / (2 * h) + z * z);
+  Scene s = gas(nu, 1);
+  s.particles = 600;
+  s.length_over_width = std::numbers::pi * 600 / (4 * nu * 400);
+  const MonteCarloSetting setting{.cells = 4, .particles_per_cell = 100, .step = 0.25, .cells_along = 60};
+  const double period = s.length() / speed;
+  EnskogMonteCarlo mc(s, setting, wave(24000, s.length(), 0.2, 0.2 * z));
+  const double start = first_mode(mc.state(), s.length()).x;
+  // Noise 1/sqrt(2 N S) with S = .26 is below .005, or .05 of the start.
+  mc.advance(period / 4);
+  const double quarter = first_mode(mc.state(), s.length()).x / start;
+  BOOST_TEST(std::abs(quarter) < 0.2, quarter);
+  mc.advance(period / 2);
+  const double half = first_mode(mc.state(), s.length()).x / start;
+  BOOST_TEST((half < -0.5 && half > -0.95), half);
+}
+
 BOOST_AUTO_TEST_CASE(what_it_cannot_do_is_refused) {
   const Scene s = channel(0.3, 0.9, 0.9);
   BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.cells = 3}), InputError);
   BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.particles_per_cell = 9}), InputError);
   BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.step = 0.6}), InputError);
   BOOST_CHECK_THROW(EnskogMonteCarlo(channel(0.75, 0.9, 0.9), {}), PhysicsError);
+  BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.cells_along = 0}), InputError);
+  const int fit = static_cast<int>(s.length() / s.diameter());
+  BOOST_CHECK_NO_THROW(EnskogMonteCarlo(s, {.cells = 4, .particles_per_cell = 10, .cells_along = fit}));
+  BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.cells = 4, .particles_per_cell = 10, .cells_along = fit + 1}), InputError);
+  BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.cells = 100000, .particles_per_cell = 10000, .cells_along = 3}), InputError);
+  EnskogMonteCarlo dense(channel(0.75, 0.9, 0.9), {.cells = 20, .particles_per_cell = 20, .cells_along = 10});
+  BOOST_CHECK_THROW(dense.advance(1), PhysicsError);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_does_not_fit_is_refused) {
+  const Scene s = gas(0.1, 1);
+  const MonteCarloSetting setting{.cells = 4, .particles_per_cell = 10, .cells_along = 2};
+  State start = wave(80, s.length(), 0, 0);
+  BOOST_CHECK_NO_THROW(EnskogMonteCarlo(s, setting, start));
+  BOOST_CHECK_THROW(EnskogMonteCarlo(s, {.cells = 4, .particles_per_cell = 10}, start), InputError);
+  start.position[7].y = 1.1;
+  BOOST_CHECK_THROW(EnskogMonteCarlo(s, setting, start), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
