@@ -69,11 +69,7 @@ EnskogMonteCarlo::EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& 
   require(setting.particles_per_cell >= 10, "less than 10 particles in a cell",
           "partners would be the same few again and again", "take 100 or more");
   require(setting.cells_along >= 1, "less than 1 cell along the channel",
-          "1 stands for a flow that is uniform along it", "take 1, or as many as are longer than a diameter");
-  if (along_ > 1 && length_ < along_ * diameter_ * (1 - 1e-9))
-    throw InputError("the cells are shorter than a diameter along the channel",
-                     "the density in them would be that of parts of disks",
-                     fmt::format("take at most {:.0f}", std::floor(length_ / diameter_ * (1 + 1e-9))));
+          "1 stands for a flow that is uniform along it", "take 1, or L/d");
   require(setting.step > 0 && setting.step <= 0.5, "the step is not between 0 and 1/2 mean free times",
           "collisions and flight are taken in turn", "take 0.1");
   require(1.0 * cells_ * along_ * setting.particles_per_cell <= std::numeric_limits<std::int32_t>::max(),
@@ -263,20 +259,22 @@ void EnskogMonteCarlo::refuse_frozen() {
     if (coverage_[c] > coverage_[most]) most = c;
   }
   frozen_ += (frozen / static_cast<double>(particles()) - frozen_) * memory_;
-  const auto refuse = [](const std::string& problem) {
-    throw PhysicsError(problem, "disks freeze at .7, and Enskog's equation does not know of it",
-                       "use the event-driven engine");
+  const auto refuse = [](const std::string& problem, const char* remedy) {
+    throw PhysicsError(problem, "disks freeze at .7, and Enskog's equation does not know of it", remedy);
   };
   if (along_ == 1 && coverage_[most] > freezing)
-    refuse(fmt::format("nu is {:.2f} in cell {} at time {:.4g}", coverage_[most], most, time()));
+    refuse(fmt::format("nu is {:.2f} in cell {} at time {:.4g}", coverage_[most], most, time()),
+           "use the event-driven engine");
   if (along_ > 1 && frozen_ > most_frozen)
-    refuse(fmt::format("{:.1f} % of the particles are where nu is above .7 at time {:.4g}", 100 * frozen_, time()));
+    refuse(fmt::format("{:.1f} % of the particles are where nu is above .7 at time {:.4g}", 100 * frozen_, time()),
+           "take more particles in a cell, since few come so dense by chance, or the event-driven engine");
   for (double& nu : coverage_) nu = std::min(nu, densest);
 }
 
 /// For each cell the largest chi times number of partners that a particle in it can meet.
 std::vector<double> EnskogMonteCarlo::crowds() const {
-  const int reach = static_cast<int>(std::ceil(diameter_ / room_ * cells_)), reach_x = along_ == 1 ? 0 : 1;
+  const int reach = static_cast<int>(std::ceil(diameter_ / room_ * cells_)),
+            reach_x = std::min(along_ / 2, static_cast<int>(std::ceil(diameter_ / length_ * along_)));
   std::vector<double> chi, crowd;
   for (const double nu : coverage_) chi.push_back(henderson_contact_value(nu));
   for (int column = 0; column < along_; ++column) {

@@ -45,14 +45,15 @@ struct MonteCarloSums {
 /// With one cell along the channel the flow is uniform along x, no particle has an x, and coverages are averaged over
 /// the last 20 mean free times. With more, particles move along x too, with period L. Then the coverage is that of the
 /// present, since waves that the flow carries past would be smeared by an average over time; instead it is averaged
-/// along x over +- 3 d, with weights that fall linearly. Few particles still make the rate of collisions too large,
-/// since chi is largest when the partners are many: with 20 in a cell at nu = .5 by .5 % in cells of a diameter, by 9 %
-/// in cells that are three long.
+/// along x over +- 3 d, with weights that fall linearly, so that cells may be shorter than a diameter. Few particles
+/// still make the rate of collisions too large, since chi is largest when the partners are many: with 20 in a cell at
+/// nu = .5 by .5 % in cells of a diameter, by 9 % in cells that are three long. A partner is anywhere in its cell, so
+/// long cells carry momentum too far and damp waves: at nu .31, e_n .85, beta_w .6, W/d 31, L/W 4 a slug that the start
+/// has grows slowly in cells of a diameter and only keeps its strength in cells two long (one run of each).
 class EnskogMonteCarlo {
  public:
   /// At rest on average, at random places. Throws InputError for less than 4 cells across, 1 along or 10 particles in
-  /// each, for more than 2^31 - 1 particles, cells that are shorter than a diameter along x, or a step that is not in
-  /// (0, 1/2]; PhysicsError as advance().
+  /// each, for more than 2^31 - 1 particles or a step that is not in (0, 1/2]; PhysicsError as advance().
   EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting);
   /// Begins with a state of as many particles as the setting has; its x count with more than one cell along only.
   /// Throws InputError besides when the number is another one or a particle is out of the channel.
