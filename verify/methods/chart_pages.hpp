@@ -13,7 +13,7 @@ namespace gpf {
 /// give it are not among them. All of one scene.
 std::vector<bool> pareto_front(const std::vector<const ChartPoint*>& points, std::string_view observable);
 
-/// Writes methods.md into `folder`, its pictures and methods.csv into `folder`/methods. Throws StorageError.
+/// Writes methods.md into `folder`, its pictures into `folder`/methods. Throws StorageError.
 void write_chart_page(const ChartPlan& plan, const std::vector<ChartPoint>& points,
                       const std::filesystem::path& folder);
 
