@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gpf/base/error.hpp"
+#include "gpf/flow/range.hpp"
 #include "gpf/io/markdown.hpp"
 #include "verify/commands.hpp"
 #include "verify/methods/advice.hpp"
@@ -64,8 +65,10 @@ void print_json(const std::string& method, const SteadyFlow& flow) {
   fmt::print("{}}}\n", text);
 }
 
-void print_advice(const Advice& advice, const Observable& observable, double tolerance) {
+void print_advice(const Scene& scene, const Advice& advice, const Observable& observable, double tolerance) {
   const Candidate& best = advice.best();
+  for (const std::string& warning : range_warnings(scene, parse_method(best.method)))
+    fmt::print(stderr, "gpf: warning: {}\n", warning);
   fmt::print("{} within {:.3g}: {}\n", observable.title, tolerance, best.method);
   if (best.method == "event_driven")
     fmt::print("Nothing but the engine will do, or nothing is cheaper.\n");
@@ -89,15 +92,14 @@ ExitStatus run_and_check(const SceneFile& file, const Advice& advice, const Obse
   Run run = file.run;
   if (best.duration > 0) run.duration = std::max(best.duration, run.sample_interval);
   const SteadyFlow flow = steady_flow(file.scene, run, parse_method(best.method));
-  warn(flow);
   fmt::print("\n{}: {:.3g} CPU s\n", best.method, flow.cpu_seconds);
   print_profiles(flow.quantities);
   if (best.method == "event_driven") return ExitStatus::success;
   const auto engine = std::find_if(advice.candidates.begin(), advice.candidates.end(),
                                    [](const Candidate& c) { return c.method == "event_driven"; });
-  // Short: as noisy as the tolerance.
+  // Short: its noise is a quarter of the tolerance.
   Run check = file.run;
-  const double factor = engine->noise > 0 ? std::pow(engine->noise / tolerance, 2) : 1;
+  const double factor = engine->noise > 0 ? std::pow(4 * engine->noise / tolerance, 2) : 1;
   check.duration = std::max(engine->duration * factor, file.run.sample_interval);
   const double noise = engine->noise / std::sqrt(factor);
   const SteadyFlow truth = steady_flow(file.scene, check, parse_method("event_driven"));
@@ -110,7 +112,8 @@ ExitStatus run_and_check(const SceneFile& file, const Advice& advice, const Obse
       check.duration, truth.cpu_seconds, observable.title, m.bias, allowed);
   if (m.bias <= allowed) return ExitStatus::success;
   fmt::print(
-      "The engine contradicts the advice: use the engine for this scene, and add it to reference/methods.toml.\n");
+      "The engine contradicts the advice: use the engine for this scene, and add it to reference/methods.toml,\nrun "
+      "gpf chart and build again.\n");
   return ExitStatus::red;
 }
 
@@ -143,7 +146,7 @@ void add_advise_command(CLI::App& app, int& status) {
     const Observable& observable = observable_named(options->observable);
     const double tolerance = tolerance_in(options->tolerance);
     const Advice advice = advise(advice_table(), file.scene, file.run, observable, tolerance);
-    print_advice(advice, observable, tolerance);
+    print_advice(file.scene, advice, observable, tolerance);
     status = static_cast<int>(options->run ? run_and_check(file, advice, observable, tolerance) : ExitStatus::success);
   });
 }

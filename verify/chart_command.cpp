@@ -28,9 +28,15 @@ void add_chart_command(CLI::App& app, int& status) {
   command->add_option("--reference", options->reference, "Folder that holds methods.toml and scenes/")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "Folder for the page")->capture_default_str();
-  command->footer("Examples:\n  gpf chart\n  gpf chart -j 1 --output /tmp/chart\n");
+  command->footer("Examples:\n  gpf chart\n  gpf chart -j 1 --output chart\n");
   command->callback([options, &status] {
     const volatile std::sig_atomic_t* stop = stop_on_signals();
+    for (const std::filesystem::path& folder : {options->reference, options->output}) {
+      std::error_code ignored;
+      std::filesystem::create_directories(folder, ignored);
+      write_text_atomically(folder / ".gpf-chart", "");  // before an hour of work: can it be written to?
+      std::filesystem::remove(folder / ".gpf-chart", ignored);
+    }
     const ChartPlan plan = load_chart_plan(options->reference / "methods.toml");
     const RecordStore records(options->store, Trust::same_version,
                               [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); });

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "gpf/base/error.hpp"
 #include "gpf/flow/range.hpp"
@@ -59,14 +58,13 @@ Flows flows_of(const SceneValues& scene, const MethodSetting& setting, double pa
 
 Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecords& records) {
   const MethodSetting setting = setting_of(claim);
-  const double tolerance = claim.tolerance_total();
   Evidence evidence;
   evidence.plot = {.title = "Largest misfit of U, T and nu",
                    .xlabel = "mean nu",
                    .ylabel = "root mean square over the bins, relative",
                    .logx = true,
                    .logy = true};
-  Series within{.label = "within the range"}, beyond{.label = "beyond it"};
+  RangeScan scan{claim.tolerance_total()};
   const double before = process_cpu_seconds();
   for (const SceneValues& scene : by_area_fraction(records)) {
     const double nu = scene.scene().area_fraction();
@@ -81,25 +79,10 @@ Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecord
       evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), flows.failure));
       continue;
     }
-    const std::vector<double> largest = largest_misfits(scene, flows.replicas);
-    add_point(warnings.empty() ? within : beyond, nu, largest);
-    if (warnings.empty()) {
-      for (const ComparedProfile& profile : compared_profiles)
-        evidence.checks.push_back({.label = fmt::format("{} of {}, within the range", profile.title, scene.name()),
-                                   .values = profile_misfits(scene, flows.replicas, profile.quantity),
-                                   .band = {0, tolerance},
-                                   .x = nu});
-    } else {
-      evidence.checks.push_back({.label = fmt::format("the largest misfit of {}, beyond the range", scene.name()),
-                                 .values = largest,
-                                 .band = {tolerance, std::numeric_limits<double>::infinity()},
-                                 .x = nu});
-      evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), fmt::join(warnings, "; ")));
-    }
+    scan.add(scene, flows.replicas, warnings, nu, evidence);
   }
   evidence.extra_cpu_seconds = process_cpu_seconds() - before;
-  for (Series* series : {&within, &beyond})
-    if (!series->x.empty()) evidence.plot.series.push_back(std::move(*series));
+  scan.draw(evidence.plot);
   evidence.notes.push_back("Setting: " + text_of(setting) + ".");
   return evidence;
 }

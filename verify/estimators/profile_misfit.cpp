@@ -1,5 +1,7 @@
 #include "verify/estimators/profile_misfit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,30 @@ std::vector<double> largest_misfits(const SceneValues& scene, std::span<const St
     for (std::size_t r = 0; r < misfits.size(); ++r) largest[r] = std::max(largest[r], misfits[r]);
   }
   return largest;
+}
+
+void RangeScan::add(const SceneValues& scene, std::span<const SteadyFlow> methods,
+                    const std::vector<std::string>& warnings, double x, Evidence& evidence) {
+  const std::vector<double> largest = largest_misfits(scene, methods);
+  add_point(warnings.empty() ? within : beyond, x, largest);
+  if (!warnings.empty()) {
+    evidence.checks.push_back({.label = fmt::format("the largest misfit of {}, beyond the range", scene.name()),
+                               .values = largest,
+                               .band = {tolerance, INFINITY},
+                               .x = x});
+    evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), fmt::join(warnings, "; ")));
+    return;
+  }
+  for (const ComparedProfile& profile : compared_profiles)
+    evidence.checks.push_back({.label = fmt::format("{} of {}, within the range", profile.title, scene.name()),
+                               .values = profile_misfits(scene, methods, profile.quantity),
+                               .band = {0, tolerance},
+                               .x = x});
+}
+
+void RangeScan::draw(Plot& plot) {
+  for (Series* series : {&within, &beyond})
+    if (!series->x.empty()) plot.series.push_back(std::move(*series));
 }
 
 Run part_of(const Run& run, double part) {

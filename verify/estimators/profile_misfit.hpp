@@ -27,6 +27,19 @@ std::vector<double> profile_misfits(const SceneValues& scene, std::span<const St
 /// The largest of the three profiles' misfits, replica by replica.
 std::vector<double> largest_misfits(const SceneValues& scene, std::span<const SteadyFlow> methods);
 
+/// A scan of scenes, each within the range of a method or beyond it.
+struct RangeScan {
+  double tolerance;
+  Series within{.label = "within the range"}, beyond{.label = "beyond it"};
+
+  /// Adds the checks and the point of a scene at abscissa x: all three profiles within the tolerance where there are no
+  /// `warnings`, the largest misfit outside it where there are.
+  void add(const SceneValues& scene, std::span<const SteadyFlow> methods, const std::vector<std::string>& warnings,
+           double x, Evidence& evidence);
+  /// Those of the two series that have points.
+  void draw(Plot& plot);
+};
+
 /// The run of a scene's records, for a method that is to be measured for `part` of its time.
 Run part_of(const Run& run, double part);
 

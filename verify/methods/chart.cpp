@@ -25,6 +25,7 @@ struct Reference {
   std::vector<std::vector<Quantity>> replicas;
   std::vector<State> last_states;
   std::vector<std::string> names;
+  double cpu_seconds = 0;  ///< of a replica
 };
 
 std::vector<Quantity> quantities_in(const Record& record) {
@@ -62,6 +63,7 @@ std::map<std::string, Reference> references(const ChartPlan& plan, const std::fi
         throw StorageError(fmt::format("the record of {} #{} is gone", name, r + 1), "it was there a moment ago",
                            "run gpf chart again");
       reference.replicas.push_back(quantities_in(*record));
+      reference.cpu_seconds += record->cpu_seconds / plan.reference_replicas;
       reference.last_states.push_back(std::move(record->final_state));
       reference.names.push_back(record_name(file.scene, file.run));
     }
@@ -120,6 +122,21 @@ ChartPoint point_of(const ChartSeries& series, const std::string& name, const Re
   return point;
 }
 
+/// The reference as runs of the engine: their noise, and no bias.
+ChartPoint point_of_reference(const std::string& name, const Reference& reference) {
+  ChartPoint point;
+  point.scene = name, point.series = "event_driven", point.parameters = reference.file.scene;
+  point.replicas = static_cast<int>(reference.replicas.size());
+  point.cpu_seconds = reference.cpu_seconds;
+  point.run_length = reference.file.run.start_up + reference.file.run.duration;
+  point.start_share = reference.file.run.start_up / point.run_length;
+  for (const Observable& observable : observables()) {
+    const auto values = observed_in(observable, reference.replicas);
+    point.misfits.emplace(observable.name, misfit_of(values, values, observable.absolute));
+  }
+  return point;
+}
+
 constexpr std::string_view header =
     "scene,series,particles,width_over_diameter,length_over_width,normal_restitution,wall_normal_restitution,"
     "beta_lower,beta_upper,gravity,tc_time,replicas,cpu_seconds,run_length,start_share,failure,observable,bias,"
@@ -150,6 +167,11 @@ class Cells {
     const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (problem != std::errc{} || end != cell.data() + cell.size()) throw error(gpf::quoted(cell) + " is no number");
     return value;
+  }
+  int count() {
+    const double value = number();
+    if (!(value >= 0 && value <= 1e9)) throw error("a number of disks or runs cannot be so");
+    return static_cast<int>(value);
   }
   void end() const {
     if (!ended_) throw error("it has too many cells");
@@ -213,11 +235,18 @@ std::vector<ChartPoint> chart_points(const ChartPlan& plan, const std::filesyste
       const Reference& r = known.at(scene);
       points.push_back(point_of(series, scene, r, runs_of(series, scene, r, plan.replicas), store));
     }
+  // How the engine's noise goes on with the length of a run: the references tell it where no series does.
+  for (const auto& [name, scene] : known) {
+    const bool there = std::any_of(points.begin(), points.end(), [&name = name](const ChartPoint& p) {
+      return p.scene == name && p.series == "event_driven";
+    });
+    if (!there) points.push_back(point_of_reference(name, scene));
+  }
   return points;
 }
 
 std::string csv_of(const std::vector<ChartPoint>& points) {
-  std::string csv = std::string(header) + "\n";
+  std::string csv = fmt::format("{}\n", header);
   for (const ChartPoint& p : points) {
     const Scene& s = p.parameters;
     const std::string begin =
@@ -250,11 +279,11 @@ std::vector<ChartPoint> points_in(std::string_view csv, const std::string& name)
     p.series = cells.text();
     Scene& s = p.parameters;
     s.geometry = Geometry::channel;
-    s.particles = static_cast<std::int32_t>(cells.number());
+    s.particles = cells.count();
     for (double* x : {&s.width_over_diameter, &s.length_over_width, &s.normal_restitution, &s.wall_normal_restitution,
                       &s.wall_tangential_restitution[0], &s.wall_tangential_restitution[1], &s.gravity, &s.tc_time})
       *x = cells.number();
-    p.replicas = static_cast<int>(cells.number());
+    p.replicas = cells.count();
     for (double* x : {&p.cpu_seconds, &p.run_length, &p.start_share}) *x = cells.number();
     p.failure = cells.text();
     const std::string observable = cells.text();

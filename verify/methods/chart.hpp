@@ -41,7 +41,8 @@ struct ChartPoint {
 };
 
 /// The runs of the plan, and the records of the references, that are missing are made first. Throws StorageError,
-/// InputError; PhysicsError when a reference cannot be run. Empty when stopped.
+/// InputError; PhysicsError when a reference cannot be run. Empty when stopped. Where no series runs the engine for the
+/// scene's own time the references themselves are such a point.
 std::vector<ChartPoint> chart_points(const ChartPlan& plan, const std::filesystem::path& reference,
                                      const RecordStore& records, const MethodStore& store, int jobs,
                                      const volatile std::sig_atomic_t* stop);

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Raise it when a method gives other numbers than before.
+/// Raise it when a method, or what is measured of it, gives other numbers than before.
 constexpr int methods_version = 1;
 
 std::string identity(const MethodRun& run) {
@@ -54,12 +54,20 @@ std::optional<MethodResult> MethodStore::load(const MethodRun& run) const {
   try {
     if (json.at("identity") != identity(run)) return {};
     MethodResult result{{{}, json.at("cpu_seconds"), {}}, json.at("failure")};
+    const auto bins = static_cast<std::size_t>(run.run.bins);
+    std::size_t profiles = 0;
     for (const auto& [name, values] : json.at("quantities").items()) {
       Quantity q{name, values.size() > 1, {}};
       for (const Json& v : values)
         q.values.push_back(v.is_null() ? std::numeric_limits<double>::quiet_NaN() : v.get<double>());
+      profiles += q.several ? 1 : 0;
+      if (q.several && q.values.size() != bins) return {};
       result.flow.quantities.push_back(std::move(q));
     }
+    // A damaged one is made anew.
+    const bool complete =
+        result.flow.quantities.size() == quantities_of_a_flow && (profiles == profiles_of_a_flow || bins == 1);
+    if (result.failure.empty() && !complete) return {};
     return result;
   } catch (const Json::exception&) {
     return {};

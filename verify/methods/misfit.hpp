@@ -18,8 +18,9 @@ struct Misfit {
   [[nodiscard]] double total() const;
 };
 
-/// runs, reference: one vector for each replica, one value a bin; at least 2 replicas of the reference. A single run
-/// has no noise (a method without chance). Bins where anything is not finite are left out; none left: all NaN.
+/// runs, reference: one vector for each replica, one value a bin; at least one of each. A single one has no
+/// noise: of a method without chance, or where the plain difference of two runs is wanted. Bins where anything is not
+/// finite are left out; none left: all NaN.
 Misfit misfit_of(const std::vector<std::vector<double>>& runs, const std::vector<std::vector<double>>& reference,
                  bool absolute);
 

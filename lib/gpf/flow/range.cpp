@@ -6,13 +6,13 @@
 #include "gpf/theory/enskog.hpp"
 
 namespace gpf {
-namespace {
 
-/// At the mean area fraction, over W.
 double knudsen_number(const Scene& scene) {
   const double nu = scene.area_fraction();
   return mean_free_path({nu, 1, scene.diameter(), henderson_contact_value(nu)});
 }
+
+namespace {
 
 void add_hydrodynamics(const Scene& scene, std::vector<std::string>& warnings) {
   const double nu = scene.area_fraction(), inelasticity = 1 - scene.normal_restitution;
@@ -34,7 +34,12 @@ void add_hydrodynamics(const Scene& scene, std::vector<std::string>& warnings) {
 }
 
 void add_monte_carlo(const Scene& scene, const MonteCarloSetting& setting, std::vector<std::string>& warnings) {
-  const double inelasticity = 1 - scene.normal_restitution;
+  const double inelasticity = 1 - scene.normal_restitution, nu = scene.area_fraction();
+  if (nu > 1.001 * range::monte_carlo_density)
+    warnings.push_back(
+        fmt::format("nu is {:.2g}, Enskog Monte Carlo was tried up to {} with cells of a mean free path "
+                    "(limits.monte-carlo)",
+                    nu, range::monte_carlo_density));
   const double cell = (1 - scene.diameter()) / setting.cells / knudsen_number(scene);
   if (cell > range::monte_carlo_cell)
     warnings.push_back(
@@ -67,6 +72,9 @@ void add_hard_disks(const Scene& scene, std::vector<std::string>& warnings) {
         fmt::format("t_c is {:.2g} mean free times of the start, the flow was found not to depend on it up "
                     "to {} (limits.tc)",
                     rate, range::tc_rate));
+  if (scene.tc_time > 0 && scene.normal_restitution <= range::tc_restitution)
+    warnings.push_back(fmt::format("e_n is {}: at and below {} the flow was found to depend on t_c (limits.tc)",
+                                   scene.normal_restitution, range::tc_restitution));
   if (scene.tc_time == 0 && scene.normal_restitution <= range::collapse_restitution)
     warnings.push_back(
         fmt::format("e_n is {} without the TC model, where runs were found to collapse (limits.collapse)",

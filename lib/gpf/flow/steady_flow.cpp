@@ -22,7 +22,7 @@ namespace gpf {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 16> common{
+constexpr std::array<std::string_view, quantities_of_a_flow> common{
     "area_fraction",       "mean_velocity",       "granular_temperature", "pressure_xx",
     "pressure_yy",         "pressure_xy",         "kurtosis_x",           "kurtosis_y",
     "mean_flow",           "centre_velocity",     "slip_velocity",        "wall_temperature",
@@ -161,7 +161,7 @@ std::vector<Quantity> quantities_by(const Scene& scene, const Run& run, const Me
 }  // namespace
 
 SteadyFlow steady_flow(const Scene& scene, const Run& run, const MethodSetting& setting, const State* start) {
-  if (!(run.sample_interval > 0 && run.duration > 0))
+  if (setting.method != Method::hydrodynamics && !(run.sample_interval > 0 && run.duration > 0))
     throw InputError("the run has no duration or no sample interval", "the fields are averages over samples",
                      "set duration and sample_interval in [run]");
   const double before = thread_cpu_seconds();

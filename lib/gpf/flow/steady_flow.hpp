@@ -1,6 +1,7 @@
 // The steady flow of a scene by any method: the same quantities from all of them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "gpf/scene/state.hpp"
 
 namespace gpf {
+
+inline constexpr std::size_t quantities_of_a_flow = 16, profiles_of_a_flow = 8;
 
 struct SteadyFlow {
   std::vector<Quantity> quantities;
@@ -26,7 +29,8 @@ struct SteadyFlow {
 /// known).
 ///
 /// `start`: a state to begin with instead of start_state(scene), for the methods that have disks.
-/// Throws InputError when the run has no duration or sample interval; what the methods throw.
+/// Throws InputError when the run has no duration or sample interval (hydrodynamics needs none); what the methods
+/// throw.
 SteadyFlow steady_flow(const Scene& scene, const Run& run, const MethodSetting& setting, const State* start = nullptr);
 
 /// The quantity of that name. Throws InputError.

@@ -311,6 +311,7 @@ void check(const Scene& scene, int cells) {
     require(beta > -1 && beta < 1, fmt::format("beta_w = {}", beta), "such a wall takes no momentum, or all slip",
             "take a value between -1 and 1");
   require(cells >= 8, fmt::format("{} cells", cells), "the profiles would not be resolved", "take 100");
+  require(cells <= 10000, fmt::format("{} cells", cells), "round-off would be all that finer ones resolve", "take 100");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ struct ChannelProfile {
 /// .99 U and T are within 1 to 5 % (nu .05: 10 % in T) with either closure. At e_n .8 they are off by 13 to 22 and 36
 /// to 40 % at nu .15 and .3 with Jenkins & Richman, by 8 to 21 and 22 to 35 % with Garzo & Dufty, whose plug is too
 /// dense at nu .3 (nu off by 10 %, not 5 %); at nu .05 (T: 22 to 27 %) neither is better. Throws InputError for a scene
-/// that is not a channel under gravity, smooth or reversing walls, or less than 8 cells; PhysicsError when the
+/// that is not a channel under gravity, smooth or reversing walls, less than 8 cells or more than 10000; PhysicsError when the
 /// iteration does not converge, or nu exceeds .9 at the scene's e_n or on the way there.
 ChannelProfile channel_flow(const Scene& scene, const ChannelFlowSetting& setting = {});
 

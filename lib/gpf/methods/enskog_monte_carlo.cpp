@@ -70,7 +70,7 @@ EnskogMonteCarlo::EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& 
           "partners would be the same few again and again", "take 100 or more");
   require(setting.cells_along >= 1, "less than 1 cell along the channel",
           "1 stands for a flow that is uniform along it", "take 1, or L/d");
-  require(setting.step > 0 && setting.step <= 0.5, "the step is not between 0 and 1/2 mean free times",
+  require(setting.step >= 1e-4 && setting.step <= 0.5, "the step is not between 1e-4 and 1/2 mean free times",
           "collisions and flight are taken in turn", "take 0.1");
   require(1.0 * cells_ * along_ * setting.particles_per_cell <= std::numeric_limits<std::int32_t>::max(),
           "more than 2^31 - 1 particles", "they are counted with 32 bits", "take fewer cells or particles in a cell");

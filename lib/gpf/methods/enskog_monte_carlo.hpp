@@ -53,7 +53,7 @@ struct MonteCarloSums {
 class EnskogMonteCarlo {
  public:
   /// At rest on average, at random places. Throws InputError for less than 4 cells across, 1 along or 10 particles in
-  /// each, for more than 2^31 - 1 particles or a step that is not in (0, 1/2]; PhysicsError as advance().
+  /// each, for more than 2^31 - 1 particles or a step that is not in [1e-4, 1/2]; PhysicsError as advance().
   EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& setting);
   /// Begins with a state of as many particles as the setting has; its x count with more than one cell along only.
   /// Throws InputError besides when the number is another one or a particle is out of the channel.

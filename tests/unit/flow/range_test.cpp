@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(each_limit_is_named_with_its_claim) {
   Scene dense = channel();
   dense.length_over_width /= 3;
   BOOST_TEST(warns(dense, "hydrodynamics", "limits.hydrodynamics.density"));
-  BOOST_TEST(warns(dense, "monte_carlo cells=60", "limits.monte-carlo"));
+  BOOST_TEST(range_warnings(dense, parse_method("monte_carlo cells=60")).size() == 2U);  // nu, and cells too high
   Scene lossy = channel();
   lossy.normal_restitution = 0.8;
   BOOST_TEST(warns(lossy, "hydrodynamics closure=garzo_dufty", "limits.hydrodynamics.restitution"));
@@ -53,6 +53,9 @@ BOOST_AUTO_TEST_CASE(each_limit_is_named_with_its_claim) {
   BOOST_TEST(warns(lossy, "event_driven", "limits.collapse"));  // tc_time is 0
   lossy.tc_time = 1e-4 / lossy.reference_collision_rate();
   BOOST_TEST(range_warnings(lossy, {}).empty());
+  Scene lossiest = lossy;
+  lossiest.normal_restitution = 0.3;
+  BOOST_TEST(warns(lossiest, "event_driven", "limits.tc"));
   lossy.tc_time *= 1000;
   BOOST_TEST(warns(lossy, "event_driven", "limits.tc"));
 }

@@ -86,7 +86,9 @@ BOOST_AUTO_TEST_CASE(no_advice_beyond_what_was_tried) {
   other = channel(0.15);
   other.wall_tangential_restitution = {0.9, 0.6};
   BOOST_TEST(!alike(channel(0.15), other));
-  other.wall_tangential_restitution = {0.6, 0.6};
+  other.wall_tangential_restitution = {0.6, 0.6};  // slip 4 against 19
+  BOOST_TEST(!alike(channel(0.15), other));
+  other.wall_tangential_restitution = {0.75, 0.75};
   BOOST_TEST(alike(channel(0.15), other));
   other.wall_normal_restitution = 0.9;
   BOOST_TEST(!alike(channel(0.15), other));
@@ -103,6 +105,42 @@ BOOST_AUTO_TEST_CASE(a_method_that_gave_up_on_a_like_scene_is_not_advised) {
   BOOST_TEST(!of(ask(points, 0.15, 0.05), "hydrodynamics cells=100").usable());
 }
 
+BOOST_AUTO_TEST_CASE(a_scene_outside_the_like_ones_in_anything_gets_the_engine) {
+  Scene between = channel(0.15), outside = channel(0.15);
+  outside.normal_restitution = 0.985;  // alike, but all that was tried is at .99
+  BOOST_TEST(alike(channel(0.15), outside));
+  const auto best = [](const Scene& scene) {
+    return advise(table(), scene, run(), observable_named("mean_velocity"), 0.05).best().method;
+  };
+  BOOST_TEST(best(between) != "event_driven");
+  BOOST_TEST(best(outside) == "event_driven");
+  outside = channel(0.15);
+  outside.wall_tangential_restitution = {0.8, 0.8};
+  BOOST_TEST(best(outside) == "event_driven");
+  // Two lengths of one scene are one scene.
+  std::vector<ChartPoint> one = table();
+  for (ChartPoint& p : one) p.scene = "thin";
+  BOOST_TEST(ask(one, 0.15, 0.05).best().method == "event_driven");
+}
+
+BOOST_AUTO_TEST_CASE(times_go_with_gravity) {
+  Scene slow = channel(0.15);
+  slow.gravity = 0.01;
+  const auto at = [](const Scene& scene) {
+    return of(advise(table(), scene, run(), observable_named("mean_velocity"), 0.02), "event_driven");
+  };
+  const Candidate fast = at(channel(0.15)), slower = at(slow);
+  BOOST_TEST(slower.duration == 10 * fast.duration, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(slower.noise == fast.noise, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_engine_is_never_out_of_the_question) {
+  auto points = table();
+  for (ChartPoint& p : points) p.failure = "out of memory", p.misfits.clear();
+  BOOST_TEST(ask(points, 0.15, 0.05).best().method == "event_driven");
+  BOOST_TEST(ask(points, 0.15, 0.05).best().usable());
+}
+
 BOOST_AUTO_TEST_CASE(an_engine_without_evidence_has_no_cost) {
   const Advice advice = ask({}, 0.15, 0.05);
   BOOST_TEST(advice.best().method == "event_driven");
@@ -113,6 +151,13 @@ BOOST_AUTO_TEST_CASE(an_engine_without_evidence_has_no_cost) {
 BOOST_AUTO_TEST_CASE(questions_that_cannot_be_answered_are_refused) {
   BOOST_CHECK_THROW(ask(table(), 0.15, 0), InputError);
   BOOST_CHECK_THROW(ask(table(), 0.15, 5), InputError);
+  BOOST_CHECK_THROW(ask(table(), 0.15, 1e-12), InputError);
+  Scene smooth = channel(0.15);
+  smooth.wall_tangential_restitution = {0.9, 1};
+  BOOST_CHECK_THROW(advise(table(), smooth, run(), observable_named("mean_velocity"), 0.05), InputError);
+  Run endless = run();
+  endless.duration = 0;
+  BOOST_CHECK_THROW(advise(table(), channel(0.15), endless, observable_named("mean_velocity"), 0.05), InputError);
   Scene box = channel(0.15);
   box.geometry = Geometry::periodic;
   BOOST_CHECK_THROW(advise(table(), box, run(), observable_named("mean_velocity"), 0.05), InputError);
