@@ -14,6 +14,7 @@ void add_campaign_command(CLI::App& app, int& status);
 void add_chart_command(CLI::App& app, int& status);
 void add_advise_command(CLI::App& app, int& status);
 void add_flow_command(CLI::App& app, int& status);
+void add_faults_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
 
 }  // namespace gpf

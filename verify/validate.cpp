@@ -158,7 +158,7 @@ int exit_status(const std::vector<Verdict>& verdicts, const std::vector<Validate
 
 }  // namespace
 
-int validate(const ValidateOptions& options) {
+ValidateResult judge_claims(const ValidateOptions& options) {
   const std::vector<Claim> claims = chosen_claims(options);
   std::uint64_t seed = options.release_seed;
   if (options.tier == Tier::quick) {
@@ -172,25 +172,34 @@ int validate(const ValidateOptions& options) {
     fmt::print(stderr, "release seed {}: --release-seed {} repeats these runs\n", seed, seed);
   }
   Validation validation(options);
+  bool stopped = false;
   try {
     if (!options.only_runs.empty()) {
       validation.run_only(claims, seed);
-      print_problems(validation.problems());
-      return exit_status({}, validation.problems());
+    } else {
+      validation.judge_all(claims, seed, {});
+      if (options.tier != Tier::quick && options.confirm) confirm(validation, claims, seed);
     }
-    validation.judge_all(claims, seed, {});
-    if (options.tier != Tier::quick) confirm(validation, claims, seed);
   } catch (const Stopped&) {
+    stopped = true;
+  }
+  return {validation.verdicts(), validation.problems(), stopped};
+}
+
+int validate(const ValidateOptions& options) {
+  const ValidateResult result = judge_claims(options);
+  if (result.stopped) {
     fmt::print(stderr, "gpf: stopped by a signal; the same command goes on\n");
     return static_cast<int>(ExitStatus::interrupted);
   }
-  const std::vector<Verdict> verdicts = validation.verdicts();
-  if (options.json)
-    print_json(options, verdicts, validation.problems());
-  else
-    print_table(options, verdicts);
-  print_problems(validation.problems());
-  return exit_status(verdicts, validation.problems());
+  if (options.only_runs.empty()) {
+    if (options.json)
+      print_json(options, result.verdicts, result.problems);
+    else
+      print_table(options, result.verdicts);
+  }
+  print_problems(result.problems);
+  return exit_status(result.verdicts, result.problems);
 }
 
 std::uint64_t default_release_seed() { return hash_text("release " + build_provenance().version); }

@@ -10,6 +10,7 @@
 #include "verify/claim.hpp"
 #include "verify/review.hpp"
 #include "verify/run_pool.hpp"
+#include "verify/validate_output.hpp"
 
 namespace gpf {
 
@@ -21,12 +22,22 @@ struct ValidateOptions {
   std::uint64_t release_seed = 0;      ///< standard and full: mixed into the replicas' seeds; 0: that of this version
   std::vector<std::string> only_runs;  ///< scenes: make the records of the first look, judge nothing
   bool json = false;                   ///< one JSON object on standard output instead of the table
+  bool confirm = true;                 ///< standard and full: a failed claim gets its confirmation run
   double checkpoint_period = 60;       ///< seconds
   const volatile std::sig_atomic_t* stop = nullptr;
   RunFunction run = simulate;
   EstimatorLookup estimators = estimator_named;
   std::vector<std::string> command;  ///< for the records' provenance
 };
+
+struct ValidateResult {
+  std::vector<Verdict> verdicts;
+  std::vector<ValidateProblem> problems;
+  bool stopped = false;  ///< by a signal: whatever was finished is in the store
+};
+
+/// Runs and judges, with progress on standard error; verdicts are written into the store. Throws as validate().
+ValidateResult judge_claims(const ValidateOptions& options);
 
 /// Seeds of the quick tier are fixed: with bit-reproducible runs a verdict can only change when the program does. In
 /// the other tiers they are fresh for each release (from its version, or as given) and printed; a claim that then fails

@@ -1,0 +1,136 @@
+#include "verify/faults/fault_trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gpf/base/error.hpp"
+#include "gpf/base/hash.hpp"
+#include "gpf/io/atomic_file.hpp"
+#include "verify/faults/faulty_simulation.hpp"
+#include "verify/simulation_sources.hpp"
+#include "verify/validate.hpp"
+
+namespace gpf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::filesystem::path folder(const Fault& fault, const FaultOptions& options) {
+  return options.store / "faults" / folder_of(fault);
+}
+std::filesystem::path answers_file(const Fault& fault, double dose, const FaultOptions& options) {
+  return folder(fault, options) / fmt::format("{}-{:.6g}.json", name_of(options.tier), dose);
+}
+
+Caught caught_named(const std::string& name) {
+  for (const Caught caught : {Caught::no, Caught::undecided, Caught::yes})
+    if (name_of(caught) == name) return caught;
+  throw InputError(fmt::format("unknown answer '{}'", name), "", "remove the folder faults of the store");
+}
+
+/// What the store knows; empty when it was found with other sources.
+FaultTrial known_answers(const Fault& fault, double dose, const FaultOptions& options) {
+  FaultTrial trial{std::string(fault.name), dose, options.tier, {}};
+  const std::filesystem::path path = answers_file(fault, dose, options);
+  if (!std::filesystem::exists(path)) return trial;
+  const Json json = Json::parse(read_text(path), nullptr, false);
+  if (!json.is_object() || json.value("sources", "") != hexadecimal(simulation_sources())) return trial;
+  for (const auto& [claim, answer] : json.at("claims").items())
+    trial.claims[claim] = {caught_named(answer.at("caught")), answer.at("words"), answer.at("claim_hash")};
+  return trial;
+}
+
+void keep_answers(const Fault& fault, const FaultTrial& trial, const FaultOptions& options) {
+  Json json{{"fault", trial.fault}, {"dose", trial.dose}, {"sources", hexadecimal(simulation_sources())}};
+  for (const auto& [claim, answer] : trial.claims)
+    json["claims"][claim] = {
+        {"caught", name_of(answer.caught)}, {"words", answer.words}, {"claim_hash", answer.claim_hash}};
+  write_text_atomically(answers_file(fault, trial.dose, options),
+                        json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+FaultTrial::Answer answer_of(const Claim& claim, const ValidateResult& result) {
+  for (const Verdict& verdict : result.verdicts)
+    if (verdict.claim_id == claim.id) {
+      const Caught caught = verdict.green                              ? Caught::no
+                            : verdict.outcome == Outcome::inconclusive ? Caught::undecided
+                                                                       : Caught::yes;
+      return {caught, verdict.summary, claim.text_hash};
+    }
+  // It could not be judged: the engine refused to go on, or its records made no sense to the estimator.
+  std::string words = "not judged";
+  for (const ValidateProblem& problem : result.problems)
+    if (problem.what == fmt::format("claim {}", claim.id)) words = problem.why;
+  return {Caught::yes, words, claim.text_hash};
+}
+
+}  // namespace
+
+std::string_view name_of(Caught caught) {
+  return caught == Caught::yes ? "caught" : caught == Caught::undecided ? "inconclusive" : "not";
+}
+
+std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::vector<Claim>& claims,
+                                    const FaultOptions& options) {
+  FaultTrial trial = known_answers(fault, dose, options);
+  std::vector<Claim> open;
+  for (const Claim& claim : claims) {
+    const auto known = trial.claims.find(claim.id);
+    if (known == trial.claims.end() || known->second.claim_hash != claim.text_hash) open.push_back(claim);
+  }
+  if (open.empty()) return trial;
+
+  ValidateOptions validate;
+  validate.tier = options.tier;
+  validate.store = folder(fault, options) / "records";
+  validate.reference = options.reference;
+  validate.jobs = options.jobs;
+  validate.stop = options.stop;
+  validate.confirm = false;
+  validate.run = simulate_with(fault, dose, options.store);
+  validate.command = {"gpf", "faults"};
+  for (const Claim& claim : open) validate.claims.push_back(claim.id);
+  std::filesystem::remove_all(validate.store);  // of another dose, or of a run that was stopped
+  const ValidateResult result = judge_claims(validate);
+  std::filesystem::remove_all(validate.store);
+  if (result.stopped) return std::nullopt;
+  for (const Claim& claim : open) trial.claims[claim.id] = answer_of(claim, result);
+  keep_answers(fault, trial, options);
+  return trial;
+}
+
+std::vector<Claim> claims_with_records(const std::filesystem::path& reference, Tier tier) {
+  std::vector<Claim> claims = load_claims(reference / "claims");
+  std::erase_if(claims, [tier](const Claim& c) { return !c.judged_in(tier) || c.scenes_in(tier).empty(); });
+  return claims;
+}
+
+std::optional<SmallestDose> smallest_dose(const Fault& fault, const Claim& claim, const FaultOptions& options) {
+  const auto catches = [&](double dose) -> std::optional<bool> {
+    const auto trial = try_fault(fault, dose, {claim}, options);
+    if (!trial) return std::nullopt;
+    return trial->claims.at(claim.id).caught == Caught::yes;
+  };
+  SmallestDose result{std::string(fault.name), claim.id, 0, fault.dose};
+  const auto at_all = catches(fault.dose);
+  if (!at_all) return std::nullopt;
+  if (!*at_all)
+    throw InputError(fmt::format("claim '{}' does not catch '{}' at {}", claim.id, fault.name, fault.dose),
+                     "a smallest dose is looked for below it", "choose a claim that catches it");
+  for (double dose = fault.dose / 4; dose > fault.dose * 0x1p-16 && result.missed == 0; dose /= 4) {
+    const auto caught = catches(dose);
+    if (!caught) return std::nullopt;
+    (*caught ? result.caught : result.missed) = dose;
+  }
+  while (result.missed > 0 && result.caught > 1.2 * result.missed) {
+    const double dose = std::sqrt(result.missed * result.caught);
+    const auto caught = catches(dose);
+    if (!caught) return std::nullopt;
+    (*caught ? result.caught : result.missed) = dose;
+  }
+  return result;
+}
+
+}  // namespace gpf

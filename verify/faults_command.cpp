@@ -1,0 +1,160 @@
+// gpf faults: which claims catch which faults.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "gpf/base/error.hpp"
+#include "gpf/io/atomic_file.hpp"
+#include "verify/commands.hpp"
+#include "verify/faults/fault_page.hpp"
+#include "verify/faults/fault_trial.hpp"
+#include "verify/stop_signals.hpp"
+#include "verify/toml_fields.hpp"
+#include "verify/validate.hpp"
+
+namespace gpf {
+namespace {
+
+struct Options {
+  std::vector<std::string> faults, claims;
+  std::string tier = "quick";
+  std::optional<double> dose;
+  bool smallest = false;
+  std::filesystem::path output = "reports";
+  FaultOptions trial;
+};
+
+Claim claim_named(const std::vector<Claim>& claims, const std::string& id) {
+  for (const Claim& claim : claims)
+    if (claim.id == id) return claim;
+  throw InputError(fmt::format("unknown claim '{}', or one that reads no records", id),
+                   "faults are put into the runs that a claim reads", "see gpf explain, and reference/claims/");
+}
+
+std::vector<Claim> chosen_claims(const Options& options) {
+  std::vector<Claim> claims = claims_with_records(options.trial.reference, options.trial.tier);
+  if (options.claims.empty()) return claims;
+  std::vector<Claim> chosen;
+  for (const std::string& id : options.claims) chosen.push_back(claim_named(claims, id));
+  return chosen;
+}
+
+/// Prints what the faults that were asked for do.
+int print_answers(const Options& options) {
+  for (const std::string& name : options.faults) {
+    const Fault& fault = fault_named(name);
+    const std::vector<Claim> claims = chosen_claims(options);
+    if (options.smallest) {
+      for (const Claim& claim : claims) {
+        const auto found = smallest_dose(fault, claim, options.trial);
+        if (!found) return static_cast<int>(ExitStatus::interrupted);
+        fmt::print("{}: {} catches it from {:.3g} on ({}), not at {:.3g}\n", fault.name, claim.id, found->caught,
+                   fault.dose_means, found->missed);
+      }
+      continue;
+    }
+    const auto trial = try_fault(fault, options.dose.value_or(fault.dose), claims, options.trial);
+    if (!trial) return static_cast<int>(ExitStatus::interrupted);
+    fmt::print("{} at {:.3g} ({})\n", fault.name, trial->dose, fault.dose_means);
+    for (const Claim& claim : claims) {
+      const FaultTrial::Answer& answer = trial->claims.at(claim.id);
+      fmt::print("  {:<20} {:<12} {}\n", claim.id, name_of(answer.caught), answer.words);
+    }
+  }
+  return static_cast<int>(ExitStatus::success);
+}
+
+/// Everything that reference/faults.toml asks for, and the page.
+int make_matrix(const Options& options) {
+  constexpr std::array<std::string_view, 2> file_keys{"standard", "smallest"};
+  constexpr std::array<std::string_view, 2> standard_keys{"fault", "claims"}, smallest_keys{"fault", "claim"};
+  const std::string path = (options.trial.reference / "faults.toml").string();
+  const TomlTable tree = read_toml(read_text(path), path);
+  const TomlFields file(tree, {}, "", path, file_keys);
+  const auto stopped = static_cast<int>(ExitStatus::interrupted);
+
+  FaultMatrix matrix;
+  matrix.claims = claims_with_records(options.trial.reference, Tier::quick);
+  for (const Claim& claim : load_claims(options.trial.reference / "claims"))
+    if (claim.judged_in(Tier::quick) && claim.scenes_in(Tier::quick).empty()) matrix.others.push_back(claim.id);
+  for (const Fault& fault : faults()) {
+    fmt::print(stderr, "fault {} of {}: {}\n", matrix.quick.size() + 1, faults().size(), fault.name);
+    const auto trial = try_fault(fault, fault.dose, matrix.claims, options.trial);
+    if (!trial) return stopped;
+    matrix.quick.push_back(*trial);
+  }
+  FaultOptions standard = options.trial;
+  standard.tier = Tier::standard;
+  const std::vector<Claim> standard_claims = claims_with_records(options.trial.reference, Tier::standard);
+  for (const TomlFields& table : file.tables("standard", "[[standard]]", standard_keys)) {
+    const Fault& fault = fault_named(table.text("fault"));
+    std::vector<Claim> claims;
+    for (const std::string& id : table.texts("claims")) claims.push_back(claim_named(standard_claims, id));
+    fmt::print(stderr, "tier standard: {}\n", fault.name);
+    const auto trial = try_fault(fault, fault.dose, claims, standard);
+    if (!trial) return stopped;
+    matrix.standard.push_back(*trial);
+  }
+  for (const TomlFields& table : file.tables("smallest", "[[smallest]]", smallest_keys)) {
+    const Fault& fault = fault_named(table.text("fault"));
+    fmt::print(stderr, "smallest dose: {}\n", fault.name);
+    const auto found = smallest_dose(fault, claim_named(matrix.claims, table.text("claim")), options.trial);
+    if (!found) return stopped;
+    matrix.smallest.push_back(*found);
+  }
+  write_fault_page(matrix, options.output);
+  fmt::print("{}\n", (options.output / "faults.md").string());
+  const std::vector<std::string> missed = matrix.missed();
+  for (const std::string& name : missed) fmt::print(stderr, "gpf: no claim that was tried catches '{}'\n", name);
+  return static_cast<int>(missed.empty() ? ExitStatus::success : ExitStatus::red);
+}
+
+}  // namespace
+
+void add_faults_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  options->trial.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App* command = app.add_subcommand("faults", "Put faults into the physics: which claims catch them?");
+  command->add_option("fault", options->faults, "Faults to try; none: all, and write the page");
+  command->add_option("--claim", options->claims, "Claims to judge (default: all of the tier that read records)");
+  command->add_option("--tier", options->tier, "quick, standard or full")
+      ->check(CLI::IsMember({"quick", "standard", "full"}))
+      ->capture_default_str();
+  CLI::Option* dose = command->add_option("--dose", options->dose, "How badly (default: the fault's own)")
+                          ->check(CLI::NonNegativeNumber);
+  command->add_flag("--smallest", options->smallest, "Look for the smallest dose that each claim catches")
+      ->excludes(dose);
+  command->add_option("-j,--jobs", options->trial.jobs, "Runs at a time")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--store", options->trial.store, "Folder of records; answers are kept in its folder faults")
+      ->capture_default_str();
+  command->add_option("--reference", options->trial.reference, "Folder that holds claims/, scenes/ and faults.toml")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for the page")->capture_default_str();
+  std::string list;
+  for (const Fault& fault : faults()) list += fmt::format("  {:<50} {}\n", fault.name, fault.what);
+  command->footer(
+      fmt::format("Faults:\n{}\nExit status: 1 when a fault of the page is caught by no claim; 75 stopped, the same "
+                  "command goes on.\n"
+                  "Examples:\n"
+                  "  gpf faults\n"
+                  "  gpf faults \"g off by 2 %\" --claim balance.momentum --dose 0.001\n"
+                  "  gpf faults \"wall rule off by 0.5 %\" --claim slip.restitution --smallest\n",
+                  list));
+  command->callback([options, &status] {
+    options->trial.tier = tier_named(options->tier);
+    options->trial.stop = stop_on_signals();
+    if (options->faults.empty() &&
+        (options->smallest || options->dose || !options->claims.empty() || options->tier != "quick"))
+      throw InputError("no fault is named", "these options are for single faults; the page is made with none of them",
+                       "name one: gpf faults --help lists them");
+    status = options->faults.empty() ? make_matrix(*options) : print_answers(*options);
+  });
+}
+
+}  // namespace gpf
