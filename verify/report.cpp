@@ -8,6 +8,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/plot.hpp"
+#include "gpf/io/provenance.hpp"
 #include "verify/report_claim_page.hpp"
 #include "verify/report_errata.hpp"
 #include "verify/report_front_page.hpp"
@@ -43,7 +44,7 @@ class ReportWriter {
     for (const char* folder : {"claims", "checks"}) create(output_ / folder);
   }
 
-  void claim(const JudgedClaim& judged) {
+  void claim(const JudgedClaim& judged, const ReleaseHistory& history) {
     const std::string& id = judged.claim.id;
     ClaimPictures pictures;
     if (const auto picture = checks_picture(judged.verdict)) {
@@ -60,7 +61,9 @@ class ReportWriter {
       pictures.drawings.push_back(fmt::format("{}+{}.svg", id, pictures.drawings.size() + 1));
       write(drawing.svg, "claims/" + pictures.drawings.back());
     }
-    write(claim_page(judged, pictures), fmt::format("claims/{}.md", id));
+    const auto releases = history.find(id);
+    write(claim_page(judged, pictures, releases == history.end() ? std::vector<ReleaseEntry>() : releases->second),
+          fmt::format("claims/{}.md", id));
   }
 
   void errata(const ReportData& data) {
@@ -125,7 +128,7 @@ class ReportWriter {
 
 fs::path write_report(const ReportData& data, const fs::path& output) {
   ReportWriter writer(output);
-  for (const JudgedClaim& judged : data.claims) writer.claim(judged);
+  for (const JudgedClaim& judged : data.claims) writer.claim(judged, data.history);
   writer.errata(data);
   writer.limits(data);
   fs::path front = writer.front(data);
@@ -135,7 +138,15 @@ fs::path write_report(const ReportData& data, const fs::path& output) {
 }
 
 fs::path write_report(const ReportOptions& options) {
-  return write_report(load_report_data(options.tier, options.store, options.reference, options.claims), options.output);
+  ReportData data = load_report_data(options.tier, options.store, options.reference, options.claims);
+  const fs::path history = options.output / "history";
+  if (options.release) {
+    std::vector<const Verdict*> verdicts;
+    for (const JudgedClaim& judged : data.claims) verdicts.push_back(&judged.verdict);
+    write_release(verdicts, build_provenance().version, history);
+  }
+  data.history = load_release_history(history);
+  return write_report(data, options.output);
 }
 
 }  // namespace gpf

@@ -14,6 +14,7 @@ struct ReportOptions {
   Tier tier = Tier::quick;
   std::filesystem::path store = "records", reference = "reference", output = "reports";
   std::vector<std::string> claims{};  ///< those to report on; none: all of the tier
+  bool release = false;               ///< keep what this version found in <output>/history/
 };
 
 /// Writes
@@ -22,6 +23,7 @@ struct ReportOptions {
 ///   <output>/limits.md                         where methods fail, when claims limits.* are among them
 ///   <output>/claims/<id>.md, <id>.svg            a page per claim, and the claim's own plot
 ///   <output>/checks/<id>.svg                     its checks against their bands
+///   <output>/history/<version>.csv               for a release
 /// and removes pages of an earlier report whose claim is gone, with their pictures. Runs no physics; equal verdicts and
 /// records give equal bytes. Returns the path of the front page.
 /// Throws what load_report_data throws, and StorageError when a file cannot be written or a picture not be drawn.

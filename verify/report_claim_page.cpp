@@ -144,7 +144,8 @@ std::string reproduce_command(const Verdict& verdict) {
   return fmt::format("{} {}", command, verdict.claim_id);
 }
 
-std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures) {
+std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
+                       const std::vector<ReleaseEntry>& history) {
   const auto& [claim, verdict] = judged;
   std::string text = page_marker + head(claim, verdict);
   if (!pictures.checks.empty())
@@ -157,6 +158,7 @@ std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures)
   text += section("Health checks", health_text(verdict.health));
   text += section("Notes", list(verdict.notes, unused_tolerance(verdict.checks)));
   text += section("What it catches", list(claim.catches));
+  text += section("History", history_table(history));
   return text + section("Cost, and how to reproduce it", cost_text(claim, verdict));
 }
 

@@ -17,8 +17,9 @@ struct ClaimPictures {
   std::vector<std::string> drawings;   ///< links to the verdict's drawings, in their order
 };
 
-/// The page as markdown. Parts for which there is nothing are left out.
-std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures);
+/// The page as markdown. Parts for which there is nothing are left out. `history`: of the claim.
+std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
+                       const std::vector<ReleaseEntry>& history = {});
 
 /// "fail, as expected (refuted)", "fail, expected reproduced".
 std::string verdict_text_of(const Verdict& verdict);

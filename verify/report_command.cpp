@@ -24,11 +24,15 @@ void add_report_command(CLI::App& app, int& status) {
       ->capture_default_str();
   CLI::Option* output =
       command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
+  command->add_flag("--release", options->release, "Keep what this version found in history/ of the report");
   command->footer(
       "The last line on standard output is the path of the front page. The exit status is 0 whatever the verdicts "
       "say.\n"
-      "Examples:\n  gpf report\n  gpf report --tier full --output reports/full phase.moderate waves.pictures\n");
+      "Examples:\n  gpf report\n  gpf report --tier standard --release\n  gpf report --tier full --output reports/full "
+      "phase.moderate waves.pictures\n");
   command->callback([options, tier, output, &status] {
+    if (!options->claims.empty() && options->release)
+      throw InputError("a release of chosen claims", "its history would lack the others", "name no claims");
     if (!options->claims.empty() && output->count() == 0)
       throw InputError("a report on chosen claims without --output",
                        fmt::format("in '{}' it would replace the report of a whole tier", options->output.string()),

@@ -11,6 +11,7 @@
 #include "verify/claim.hpp"
 #include "verify/errata.hpp"
 #include "verify/judge.hpp"
+#include "verify/release_history.hpp"
 
 namespace gpf {
 
@@ -38,15 +39,16 @@ struct ReportData {
   std::map<std::string, SceneCost> scenes;  ///< by name
   std::vector<Erratum> errata;              ///< of the source, in its order; none: no page
   ProvenanceFacts provenance;               ///< "version", "commit", "compiler", "flags", "libraries", "cpu", "system"
+  ReleaseHistory history;                   ///< of the releases so far
   std::set<std::string> dates;              ///< of the runs, "2024-05-06"
   std::uint64_t collisions = 0;             ///< of all runs, each counted once
   std::size_t runs = 0;
   double cpu_seconds = 0;  ///< of all runs, each counted once, and of the estimators
 };
 
-/// Everything of a tier, or of the chosen claims of it where any are named, from <reference>/claims, <reference>/errata.toml (where there is one) and the store; runs
-/// nothing and judges nothing.
-/// Throws InputError when a chosen claim is not one of the tier, or has no verdict, or one on another text of the claim, another physics
+/// Everything of a tier, or of the chosen claims of it where any are named, from <reference>/claims,
+/// <reference>/errata.toml (where there is one) and the store; runs nothing and judges nothing. Throws InputError when
+/// a chosen claim is not one of the tier, or has no verdict, or one on another text of the claim, another physics
 /// version or other runs, when a record is gone, or when an erratum names a claim without a file; StorageError when a
 /// file cannot be read.
 ReportData load_report_data(Tier tier, const std::filesystem::path& store, const std::filesystem::path& reference,
