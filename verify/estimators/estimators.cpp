@@ -98,6 +98,7 @@ constexpr auto estimators =
                                                            {"limits_monte_carlo", estimate_limits_monte_carlo},
                                                            {"monte_carlo_dilute", estimate_monte_carlo_dilute},
                                                            {"limits_soft_stiffness", estimate_limits_soft_stiffness},
+                                                           {"limits_soft_dissipation", estimate_limits_soft_dissipation},
                                                            {"limits_soft_step", estimate_limits_soft_step},
                                                            {"limits_advice", estimate_limits_advice}});
 

@@ -103,6 +103,7 @@ Evidence estimate_limits_hydrodynamics(const Claim& claim, Tier tier, const Scen
 Evidence estimate_limits_monte_carlo(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_monte_carlo_dilute(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_limits_soft_stiffness(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_limits_soft_dissipation(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_limits_soft_step(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_limits_advice(const Claim& claim, Tier tier, const SceneRecords& records);
 

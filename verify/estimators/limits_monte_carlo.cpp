@@ -14,11 +14,14 @@
 namespace gpf {
 namespace {
 
-MethodSetting setting_of(const Claim& claim) {
+/// The claim's cells, or with cells = 0 as many as Enskog's mean free path fits into the scene's channel.
+MethodSetting setting_of(const Claim& claim, const Scene& scene) {
+  const auto asked = static_cast<int>(claim.parameter("cells"));
+  const int fine = static_cast<int>(std::ceil((1 - scene.diameter()) / knudsen_number(scene)));
   MethodSetting setting;
   setting.method = Method::monte_carlo;
-  setting.monte_carlo = {static_cast<int>(claim.parameter("cells")),
-                         static_cast<int>(claim.parameter("particles_per_cell")), claim.parameter("step")};
+  setting.monte_carlo = {asked > 0 ? asked : fine, static_cast<int>(claim.parameter("particles_per_cell")),
+                         claim.parameter("step")};
   return setting;
 }
 
@@ -57,7 +60,6 @@ Flows flows_of(const SceneValues& scene, const MethodSetting& setting, double pa
 }  // namespace
 
 Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecords& records) {
-  const MethodSetting setting = setting_of(claim);
   Evidence evidence;
   evidence.plot = {.title = "Largest misfit of U, T and nu",
                    .xlabel = "mean nu",
@@ -68,8 +70,10 @@ Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecord
   const double before = process_cpu_seconds();
   for (const SceneValues& scene : by_area_fraction(records)) {
     const double nu = scene.scene().area_fraction();
+    const MethodSetting setting = setting_of(claim, scene.scene());
     const std::vector<std::string> warnings = range_warnings(scene.scene(), setting);
     const Flows flows = flows_of(scene, setting, claim.parameter("part"));
+    evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), text_of(setting)));
     if (!flows.failure.empty()) {
       // A method that says so has not returned nonsense.
       evidence.checks.push_back({.label = fmt::format("{}: given up, beyond the range", scene.name()),
@@ -83,18 +87,18 @@ Evidence estimate_limits_monte_carlo(const Claim& claim, Tier, const SceneRecord
   }
   evidence.extra_cpu_seconds = process_cpu_seconds() - before;
   scan.draw(evidence.plot);
-  evidence.notes.push_back("Setting: " + text_of(setting) + ".");
   return evidence;
 }
 
 Evidence estimate_monte_carlo_dilute(const Claim& claim, Tier, const SceneRecords& records) {
-  const MethodSetting setting = setting_of(claim);
   Evidence evidence;
   evidence.plot = {.title = "Enskog Monte Carlo over the engine, less 1", .xlabel = "mean nu", .ylabel = "ratio - 1"};
   const double before = process_cpu_seconds();
   for (const Number& number : numbers) evidence.plot.series.push_back({.label = number.label});
   for (const SceneValues& scene : by_area_fraction(records)) {
+    const MethodSetting setting = setting_of(claim, scene.scene());
     const Flows flows = flows_of(scene, setting, claim.parameter("part"));
+    evidence.notes.push_back(fmt::format("{}: {}.", scene.name(), text_of(setting)));
     if (!flows.failure.empty()) throw PhysicsError(flows.failure, scene.name(), "take a scene that is less dense");
     std::size_t series = 0;
     for (const Number& number : numbers) {
@@ -118,7 +122,6 @@ Evidence estimate_monte_carlo_dilute(const Claim& claim, Tier, const SceneRecord
     }
   }
   evidence.extra_cpu_seconds = process_cpu_seconds() - before;
-  evidence.notes.push_back("Setting: " + text_of(setting) + ".");
   return evidence;
 }
 

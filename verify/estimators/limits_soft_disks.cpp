@@ -1,4 +1,4 @@
-// limits.soft-disks.stiffness, .step: soft disks become hard ones, unless the steps are too large.
+// limits.soft-disks.stiffness, .dissipation, .step: soft disks become hard ones, unless the steps are too large.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,15 +57,61 @@ SoftGas soft_gas(const Scene& scene, const State& start, double duration, int st
           (disks.kinetic_energy() + disks.contact_energy()) / energy - 1};
 }
 
-/// Slope of ln y over ln x.
-double exponent(const std::vector<double>& x, const std::vector<double>& y) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const auto n = static_cast<double>(x.size());
+/// Slope of ln y over ln x with weights.
+double exponent(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights) {
+  double sw = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const double a = std::log(x[k]), b = std::log(y[k]);
-    sx += a, sy += b, sxx += a * a, sxy += a * b;
+    const double a = std::log(x[k]), b = std::log(y[k]), w = weights[k];
+    sw += w, sx += w * a, sy += w * b, sxx += w * a * a, sxy += w * a * b;
   }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  return (sw * sxy - sx * sy) / (sw * sxx - sx * sx);
+}
+
+/// ln(E_0/E) of a gas that cools for a time, by the engine.
+double hard_cooling(const Scene& scene, const State& start, double time) {
+  const auto energy = [](const State& state) {
+    double sum = 0;
+    for (const Vec2 v : state.velocity) sum += dot(v, v) / 2;
+    return sum;
+  };
+  Engine<> engine(scene, start);
+  Virial unused;
+  while (engine.time() < time) engine.advance(std::min(time, engine.epoch_end()), unused);
+  return std::log(energy(start) / energy(engine.state()));
+}
+
+/// The slope of ln y over ln x of the means over the replicas, each with the weight (mean/error)^2 that its logarithm
+/// has, as pseudo-values of a jackknife: a single replica's value at the stiffest may have the other sign, their mean
+/// has not. y: by abscissa, then replica.
+std::vector<double> jackknife_exponents(const std::vector<double>& x, const std::vector<std::vector<double>>& y) {
+  std::vector<double> means, weights;
+  for (const std::vector<double>& values : y) {
+    const Estimate summary = over_replicas(values);
+    means.push_back(summary.mean);
+    weights.push_back(square(summary.mean / summary.error));
+  }
+  const std::size_t replicas = y.front().size();
+  const auto count = static_cast<double>(replicas);
+  return per_replica(replicas, [&](std::size_t r) {
+    std::vector<double> others;
+    for (std::size_t c = 0; c < y.size(); ++c) others.push_back((count * means[c] - y[c][r]) / (count - 1));
+    return count * exponent(x, means, weights) - (count - 1) * exponent(x, others, weights);
+  });
+}
+
+/// What is wanted at the limit that the program warns at, and beyond it at the softest.
+void add_limit_checks(const std::string& what, const std::vector<std::vector<double>>& bias, double most,
+                      Evidence& evidence) {
+  const auto limit = static_cast<std::size_t>(std::find(contacts.begin(), contacts.end(), range::soft_disks_contact) -
+                                              contacts.begin());
+  evidence.checks.push_back({.label = fmt::format("{} at {} mean free times", what, contacts.at(limit)),
+                             .values = bias.at(limit),
+                             .band = {0, most},
+                             .x = contacts.at(limit)});
+  evidence.checks.push_back({.label = fmt::format("{} at {} mean free times", what, contacts.front()),
+                             .values = bias.front(),
+                             .band = {most, 1},
+                             .x = contacts.front()});
 }
 
 SceneValues only_scene(const SceneRecords& records) {
@@ -104,35 +150,63 @@ Evidence estimate_limits_soft_stiffness(const Claim& claim, Tier, const SceneRec
     add_point(measured, contacts[c], deficit[c]);
     add_point(deepest, contacts[c], overlap[c]);
   }
-  // Pseudo-values of a jackknife: a single replica's deficit at the stiffest may be negative, their mean is not.
-  std::vector<double> means;
-  for (const auto& d : deficit) means.push_back(over_replicas(d).mean);
-  const auto count = static_cast<double>(replicas);
-  const std::vector<double> slopes = per_replica(replicas, [&](std::size_t r) {
-    std::vector<double> others;
-    for (std::size_t c = 0; c < deficit.size(); ++c) others.push_back((count * means[c] - deficit[c][r]) / (count - 1));
-    return count * exponent(x, means) - (count - 1) * exponent(x, others);
-  });
   evidence.checks.push_back({.label = "exponent of the missing pressure over the duration of a contact",
-                             .values = slopes,
+                             .values = jackknife_exponents(x, deficit),
                              .band = band_about(1, claim.tolerance_total()),
                              .reference = 1});
-  const auto limit = static_cast<std::size_t>(std::find(contacts.begin(), contacts.end(), range::soft_disks_contact) -
-                                              contacts.begin());
-  evidence.checks.push_back({.label = fmt::format("missing part of Z - 1 at {} mean free times", contacts.at(limit)),
-                             .values = deficit.at(limit),
-                             .band = {0, claim.parameter("most_missing")},
-                             .x = contacts.at(limit)});
-  evidence.checks.push_back({.label = fmt::format("missing part of Z - 1 at {} mean free times", contacts.front()),
-                             .values = deficit.front(),
-                             .band = {claim.parameter("most_missing"), 1},
-                             .x = contacts.front()});
+  add_limit_checks("missing part of Z - 1", deficit, claim.parameter("most_missing"), evidence);
   evidence.plot = {.title = "Soft disks become hard",
                    .xlabel = "duration of a contact in mean free times",
                    .ylabel = "missing pressure, overlap",
                    .logx = true,
                    .logy = true,
                    .series = {std::move(measured), std::move(deepest)}};
+  return evidence;
+}
+
+Evidence estimate_limits_soft_dissipation(const Claim& claim, Tier, const SceneRecords& records) {
+  const SceneValues scene = only_scene(records);
+  const double before = process_cpu_seconds();
+  const std::size_t replicas = scene.replicas();
+  const auto starts = static_cast<int>(claim.parameter("starts"));
+  std::vector<std::vector<double>> deficit(contacts.size(), std::vector<double>(replicas));
+  std::vector<double> hard(replicas);
+  for_each_in_parallel(replicas, [&](std::size_t r) {
+    const Record& record = scene.records()[r];
+    Scene cooling = record.scene;
+    cooling.normal_restitution = claim.parameter("restitution");
+    const double mean_free_time = 1 / record.scene.reference_collision_rate();
+    const double time = claim.parameter("mean_free_times") * mean_free_time;
+    Engine<> elastic(record.scene, record.final_state);
+    std::array<double, contacts.size()> soft{};
+    for (int start = 1; start <= starts; ++start) {
+      const State state = elastic.state();
+      hard[r] += hard_cooling(cooling, state, time);
+      for (std::size_t c = 0; c < contacts.size(); ++c)
+        soft[c] -= std::log1p(soft_gas(cooling, state, contacts[c] * mean_free_time, fine_steps, time).energy_gain);
+      Virial unused;
+      while (elastic.time() < start * time) elastic.advance(std::min(start * time, elastic.epoch_end()), unused);
+    }
+    for (std::size_t c = 0; c < contacts.size(); ++c) deficit[c][r] = 1 - soft[c] / hard[r];
+  });
+  Evidence evidence;
+  evidence.extra_cpu_seconds = process_cpu_seconds() - before;
+  const std::vector<double> x(contacts.begin(), contacts.end());
+  Series measured{.label = "1 - cooling/that of hard disks"};
+  for (std::size_t c = 0; c < contacts.size(); ++c) add_point(measured, contacts[c], deficit[c]);
+  evidence.checks.push_back({.label = "exponent of the missing dissipation over the duration of a contact",
+                             .values = jackknife_exponents(x, deficit),
+                             .band = band_about(1, claim.tolerance_total()),
+                             .reference = 1});
+  add_limit_checks("missing part of the dissipation", deficit, claim.parameter("most_missing"), evidence);
+  evidence.plot = {.title = "Soft disks cool too slowly",
+                   .xlabel = "duration of a contact in mean free times of the start",
+                   .ylabel = "missing dissipation",
+                   .logx = true,
+                   .logy = true,
+                   .series = {std::move(measured)}};
+  evidence.notes.push_back(
+      fmt::format("Hard disks keep {:.3g} of their energy.", std::exp(-over_replicas(hard).mean / starts)));
   return evidence;
 }
 

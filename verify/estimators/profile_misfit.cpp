@@ -48,7 +48,7 @@ void RangeScan::add(const SceneValues& scene, std::span<const SteadyFlow> method
   for (const ComparedProfile& profile : compared_profiles)
     evidence.checks.push_back({.label = fmt::format("{} of {}, within the range", profile.title, scene.name()),
                                .values = profile_misfits(scene, methods, profile.quantity),
-                               .band = {0, tolerance},
+                               .band = {-INFINITY, tolerance},  // none is negative, however the interval lies
                                .x = x});
 }
 

@@ -39,12 +39,16 @@ bool bracketed(const std::vector<const ChartPoint*>& like, double value, F&& of)
   return below && above;
 }
 
-/// Two scenes at least, and none of nu, 1 - e_n, W/d and the walls' slip beyond all of them.
+/// Two scenes at least, none of nu, 1 - e_n, W/d and the walls' slip beyond all of them, and the channel not much
+/// longer than the longest, since the longer it is, the more structures there are along it.
 bool enough(const std::vector<const ChartPoint*>& like, const Scene& scene) {
   std::set<std::string> names;
   for (const ChartPoint* p : like) names.insert(p->scene);
   const auto inside = [&](auto&& of) { return bracketed(like, of(scene), of); };
-  return names.size() >= 2 && inside([](const Scene& s) { return s.area_fraction(); }) &&
+  const bool long_enough = std::any_of(like.begin(), like.end(), [&](const ChartPoint* p) {
+    return scene.length_over_width <= 1.5 * p->parameters.length_over_width;
+  });
+  return names.size() >= 2 && long_enough && inside([](const Scene& s) { return s.area_fraction(); }) &&
          inside([](const Scene& s) { return 1.01 - s.normal_restitution; }) &&
          inside([](const Scene& s) { return s.width_over_diameter; }) &&
          inside([](const Scene& s) { return slip_strength(s.wall_tangential_restitution[lower]); }) &&

@@ -29,17 +29,17 @@ struct Advice {
 };
 
 /// Is what was measured on `known` evidence for `scene`? nu and 1 - e_n + .01 within a factor 2, W/d within 1.7, the
-/// slip of each wall, (1 + beta)/(1 - beta), within 3.5, e_w alike; the same sort of walls (alike or not). L/W does not
-/// count.
+/// slip of each wall, (1 + beta)/(1 - beta), within 3.5, e_w alike; the same sort of walls (alike or not).
 bool alike(const Scene& known, const Scene& scene);
 
 /// Every method of the table without varied N, t_c or start. A method may be used when at least two like scenes were
-/// tried and `scene` lies between them in nu, e_n, W/d and slip, it gave up on none, and the largest bias that any of
-/// them leaves possible is within `tolerance`; its run is as long as it takes for twice the noise to fit into the rest,
-/// where noise is taken to fall with the square root of time from the largest that any like run had. The engine may
-/// always be used: its bias is taken as none, and its duration is the scene's own when no like scene tells its noise.
-/// `tolerance`: relative, or absolute for an observable that may vanish. Throws InputError for a tolerance that is not
-/// between 1e-4 and 1, a run without duration, a scene that is no channel under gravity, and walls with |beta_w| = 1.
+/// tried and `scene` lies between them in nu, e_n, W/d and slip, with L/W at most 1.5 times theirs, it gave up on none,
+/// and the largest bias that any of them leaves possible is within `tolerance`; its run is as long as it takes for
+/// twice the noise to fit into the rest, where noise is taken to fall with the square root of time from the largest
+/// that any like run had. The engine may always be used: its bias is taken as none, and its duration is the scene's own
+/// when no like scene tells its noise. `tolerance`: relative, or absolute for an observable that may vanish. Throws
+/// InputError for a tolerance that is not between 1e-4 and 1, a run without duration, a scene that is no channel under
+/// gravity, and walls with |beta_w| = 1.
 Advice advise(const std::vector<ChartPoint>& points, const Scene& scene, const Run& run, const Observable& observable,
               double tolerance);
 

@@ -37,9 +37,8 @@ void add_monte_carlo(const Scene& scene, const MonteCarloSetting& setting, std::
   const double inelasticity = 1 - scene.normal_restitution, nu = scene.area_fraction();
   if (nu > 1.001 * range::monte_carlo_density)
     warnings.push_back(
-        fmt::format("nu is {:.2g}, Enskog Monte Carlo was tried up to {} with cells of a mean free path "
-                    "(limits.monte-carlo)",
-                    nu, range::monte_carlo_density));
+        fmt::format("nu is {:.2g}, Enskog Monte Carlo was found to hold up to {} (limits.monte-carlo.density)", nu,
+                    range::monte_carlo_density));
   const double cell = (1 - scene.diameter()) / setting.cells / knudsen_number(scene);
   if (cell > range::monte_carlo_cell)
     warnings.push_back(
@@ -50,6 +49,11 @@ void add_monte_carlo(const Scene& scene, const MonteCarloSetting& setting, std::
     warnings.push_back(
         fmt::format("1 - e_n is {:.2g}, Enskog Monte Carlo was found to hold up to {} (limits.monte-carlo)",
                     inelasticity, range::monte_carlo_inelasticity));
+  else if (nu > 1.001 * range::monte_carlo_dense && inelasticity > range::monte_carlo_dense_inelasticity + 1e-9)
+    warnings.push_back(fmt::format(
+        "1 - e_n is {:.2g} at nu {:.2g}: above nu {} Enskog Monte Carlo was found to hold up to {}, beyond it "
+        "there is a plug (limits.monte-carlo.density)",
+        inelasticity, nu, range::monte_carlo_dense, range::monte_carlo_dense_inelasticity));
 }
 
 void add_soft_disks(const MethodSetting& setting, std::vector<std::string>& warnings) {

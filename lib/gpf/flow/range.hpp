@@ -24,10 +24,12 @@ inline constexpr double hydrodynamics_knudsen = 0.085;      ///< Enskog's mean f
 inline constexpr double hydrodynamics_inelasticity = 0.02;  ///< 1 - e_n
 inline constexpr double hydrodynamics_density = 0.35;       ///< mean nu
 
-// limits.monte-carlo
-inline constexpr double monte_carlo_cell = 1;            ///< height of a cell over Enskog's mean free path
-inline constexpr double monte_carlo_inelasticity = 0.1;  ///< 1 - e_n
-inline constexpr double monte_carlo_density = 0.15;      ///< mean nu: the densest that was tried with such cells
+// limits.monte-carlo, .density
+inline constexpr double monte_carlo_cell = 1;                   ///< height of a cell over Enskog's mean free path
+inline constexpr double monte_carlo_inelasticity = 0.1;         ///< 1 - e_n
+inline constexpr double monte_carlo_dense = 0.3;                ///< mean nu above which dissipation makes a plug
+inline constexpr double monte_carlo_dense_inelasticity = 0.01;  ///< 1 - e_n, above that nu
+inline constexpr double monte_carlo_density = 0.5;              ///< mean nu
 
 // limits.soft-disks.stiffness, .step: the pressure
 inline constexpr double soft_disks_contact = 0.05;  ///< in mean free times

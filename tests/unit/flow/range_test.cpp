@@ -43,7 +43,14 @@ BOOST_AUTO_TEST_CASE(each_limit_is_named_with_its_claim) {
   Scene dense = channel();
   dense.length_over_width /= 3;
   BOOST_TEST(warns(dense, "hydrodynamics", "limits.hydrodynamics.density"));
-  BOOST_TEST(range_warnings(dense, parse_method("monte_carlo cells=60")).size() == 2U);  // nu, and cells too high
+  BOOST_TEST(warns(dense, "monte_carlo cells=60", "limits.monte-carlo"));  // cells too high
+  BOOST_TEST(range_warnings(dense, parse_method("monte_carlo cells=600")).empty());
+  Scene plug = dense;
+  plug.normal_restitution = 0.95;
+  BOOST_TEST(warns(plug, "monte_carlo cells=600", "limits.monte-carlo.density"));
+  Scene packed = dense;
+  packed.length_over_width *= 0.8;
+  BOOST_TEST(warns(packed, "monte_carlo cells=600", "limits.monte-carlo.density"));
   Scene lossy = channel();
   lossy.normal_restitution = 0.8;
   BOOST_TEST(warns(lossy, "hydrodynamics closure=garzo_dufty", "limits.hydrodynamics.restitution"));
