@@ -22,7 +22,7 @@ TrialRuns made_runs(std::size_t replicas) {
     runs.labels.push_back({"a", "b"});
     runs.runs.emplace_back();
     for (std::size_t r = 0; r < replicas; ++r)
-      runs.runs[scene].push_back({1000 * scene + r, {noise[2 * r], noise[2 * r + 1]}});
+      runs.runs[scene].push_back({100000 * scene + r, {noise[2 * r], noise[2 * r + 1]}});
   }
   return runs;
 }
