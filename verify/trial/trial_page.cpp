@@ -74,13 +74,14 @@ void write_trial_page(const Trial& trial, const std::filesystem::path& folder) {
   page += "## Claims of known truth\n\n";
   page += about_judge;
   page += picture("pass and fail against the truth", "power.svg");
+  page += "A one-sided band has no centre: its truths are counted from one tolerance inside the edge.\n\n";
   page += table_of(trial.judge.kinds);
   page += fmt::format("\n{}", table_of(trial.judge.fieller));
   page += fmt::format(
       "\n## Audits of unchanged physics\n\n{} audits of {} numbers, {} replicas a side, every run its own: real runs "
       "of "
-      "small\nscenes ({}), compared as `gpf audit` compares two versions. Nothing has moved, so what is said to have "
-      "moved is a false\nalarm.\n\n",
+      "small scenes\n({}),\ncompared as `gpf audit` compares two versions. Nothing has moved, so what is said to have "
+      "moved is a false alarm.\n\n",
       trial.audit.audits, trial.audit.numbers, replicas_a_side, [] {
         std::string names;
         for (const SceneFile& s : trial_scenes()) names += fmt::format("{}{}", names.empty() ? "" : "; ", s.name);

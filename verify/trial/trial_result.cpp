@@ -14,7 +14,7 @@ std::string rate_text(std::size_t hits, std::size_t trials) {
   const double n = static_cast<double>(trials), rate = static_cast<double>(hits) / n;
   // Without a hit, or without a miss: what one would have been worth.
   const double error = hits == 0 || hits == trials ? 1 / n : std::sqrt(rate * (1 - rate) / n);
-  return fmt::format("{:.4f} ± {:.4f}", rate, error);
+  return fmt::format("{:.4f} ± {:.1g}", rate, error);
 }
 
 TrialResult at_most(std::string what, std::size_t hits, std::size_t trials, double most) {
