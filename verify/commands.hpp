@@ -16,5 +16,6 @@ void add_advise_command(CLI::App& app, int& status);
 void add_flow_command(CLI::App& app, int& status);
 void add_faults_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
+void add_trial_command(CLI::App& app, int& status);
 
 }  // namespace gpf

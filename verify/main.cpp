@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   gpf::add_chart_command(app, status);
   gpf::add_advise_command(app, status);
   gpf::add_faults_command(app, status);
+  gpf::add_trial_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "gpf/base/vec2.hpp"
+
 namespace gpf {
 namespace {
-
-/// Error rate at each end of Fieller's interval in a note.
-constexpr double alpha = 0.01;
 
 Series centre_series(const SceneRow& row, StressPart part, Density density, std::string label) {
   Series points{.label = std::move(label)};
@@ -48,12 +47,21 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
     return x_below[r] + (x_above[r] - x_below[r]) * y_below[r] / (y_below[r] - y_above[r]);
   });
   if (replicas < 2) return change;
-  const std::vector<double> x{over_replicas(x_below).mean, over_replicas(x_above).mean};
-  const std::vector<Estimate> y{over_replicas(y_below), over_replicas(y_above)};
-  if (!(y[0].error > 0) || !(y[1].error > 0)) return change;
-  change.crossing =
-      zero_crossing(fit_line(x, y), student_t_quantile(1 - alpha, static_cast<double>(2 * (replicas - 1))));
+  const Estimate below = over_replicas(y_below), above = over_replicas(y_above);
+  if (!(below.error > 0) || !(above.error > 0)) return change;
+  change.crossing = crossing_between(over_replicas(x_below).mean, below, over_replicas(x_above).mean, above, replicas);
   return change;
+}
+
+Crossing crossing_between(double x_below, Estimate below, double x_above, Estimate above, std::size_t replicas) {
+  const std::vector<double> x{x_below, x_above};
+  const std::vector<Estimate> y{below, above};
+  const LineFit line = fit_line(x, y);
+  // Welch and Satterthwaite's degrees of freedom of the line's error where it crosses zero: each end has its own error.
+  const double share = (-line.intercept / line.slope - x_below) / (x_above - x_below);
+  const double a = square((1 - share) * below.error), b = square(share * above.error);
+  const double degrees_of_freedom = static_cast<double>(replicas - 1) * square(a + b) / (a * a + b * b);
+  return zero_crossing(line, student_t_quantile(1 - crossing_alpha, degrees_of_freedom));
 }
 
 std::string text_of(const SignChange& change, Density density) {

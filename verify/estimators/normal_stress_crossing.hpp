@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "gpf/io/plot.hpp"
 #include "gpf/stats/crossing.hpp"
+#include "gpf/stats/estimate.hpp"
 #include "verify/estimators/stress_values.hpp"
 
 namespace gpf {
@@ -18,6 +20,13 @@ std::string name_of(Density density);  ///< "nu", "nu_bin"
 
 /// N_1, or its share of a part, in the centre pair of bins.
 std::vector<double> centre_value(const SceneValues& scene, StressPart part, MeanFlow mean = MeanFlow::instantaneous);
+
+/// Error rate at each end of Fieller's interval in a note.
+inline constexpr double crossing_alpha = 0.01;
+
+/// Zero of the line through the means over `replicas` replicas at two points, with Fieller's interval at crossing_alpha
+/// per end. Throws InputError unless the errors are above 0, the means differ and replicas >= 2.
+Crossing crossing_between(double x_below, Estimate below, double x_above, Estimate above, std::size_t replicas);
 
 /// Change of sign from plus to minus along a row, by straight lines between the last scene before it and the first
 /// after it: the last such change of the means over replicas.
