@@ -15,5 +15,7 @@ void add_chart_command(CLI::App& app, int& status);
 void add_advise_command(CLI::App& app, int& status);
 void add_flow_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
+void add_trace_command(CLI::App& app, int& status);
+void add_audit_command(CLI::App& app, int& status);
 
 }  // namespace gpf

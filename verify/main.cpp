@@ -33,6 +33,8 @@ int main(int argc, char** argv) {
   gpf::add_flow_command(app, status);
   gpf::add_chart_command(app, status);
   gpf::add_advise_command(app, status);
+  gpf::add_trace_command(app, status);
+  gpf::add_audit_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
