@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+#include <map>
 
 #include "gpf/io/markdown.hpp"
 #include "gpf/stats/interval.hpp"
@@ -43,7 +44,8 @@ std::string moved_text(const AuditReport& report) {
                                 f.largest_relative, f.within_half_band ? "within" : "and some by more than"));
   }
   if (!f.broken_identities.empty())
-    parts.push_back(fmt::format("{} exact number(s) lie in their band on one side only", f.broken_identities.size()));
+    parts.push_back(fmt::format("{} exact number(s) lie in their band on one side only, among them {}",
+                                f.broken_identities.size(), markdown_text(f.broken_identities.front())));
   if (!f.flips.empty()) parts.push_back(fmt::format("{} verdict(s) are others", f.flips.size()));
   if (!f.lost.empty()) parts.push_back(fmt::format("{} claim(s) or numbers got lost", f.lost.size()));
   std::string text = fmt::format("{}.", fmt::join(parts, "; "));
@@ -56,7 +58,7 @@ std::string list_of(const std::string& title, const std::vector<std::string>& na
   const std::vector<std::string> first(names.begin(),
                                        names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
   std::string text =
-      fmt::format("{} ({}): {}", title, names.size(), markdown_text(fmt::format("{}", fmt::join(first, ", "))));
+      fmt::format("{} ({}): {}", title, names.size(), markdown_text(fmt::format("{}", fmt::join(first, "; "))));
   return fmt::format("{}{}.\n\n", text, names.size() > most ? fmt::format(" and {} more", names.size() - most) : "");
 }
 
@@ -71,16 +73,25 @@ std::string flips_part(const AuditFindings& f) {
   return fmt::format("## Verdicts that are others\n\n{}\n", markdown_table({"claim", "before", "after", "now"}, rows));
 }
 
+/// Runs as "<scene> (<how many>)": replicas of a scene seldom differ in what became of them.
+std::vector<std::string> scenes_of(const std::vector<std::string>& runs) {
+  std::map<std::string, int> counts;
+  for (const std::string& run : runs) ++counts[run.substr(0, run.rfind(" #"))];
+  std::vector<std::string> scenes;
+  for (const auto& [scene, count] : counts) scenes.push_back(fmt::format("{} ({})", scene, count));
+  return scenes;
+}
+
 std::string runs_part(const AuditFindings& f) {
-  std::string text = list_of("Other trajectories", f.other_trajectories);
-  text += list_of("Same trajectories, measured otherwise", f.other_measurements);
-  text += list_of("Only before", f.runs_only_before);
-  text += list_of("Only after", f.runs_only_after);
+  std::string text = list_of("Scenes (runs) of other trajectories", scenes_of(f.other_trajectories), 100);
+  text += list_of("Of the same trajectories, measured otherwise", scenes_of(f.other_measurements), 100);
+  text += list_of("Only before", scenes_of(f.runs_only_before), 100);
+  text += list_of("Only after", scenes_of(f.runs_only_after), 100);
   if (!f.other_measurements.empty())
     text += f.other_layout
                 ? "Other sums are kept, so they cannot be compared one by one.\n\n"
                 : fmt::format("Measured sums differ by up to {:.2g} of what was added up.\n\n", f.largest_relative_sum);
-  return text.empty() ? text : fmt::format("## Runs\n\n{}", text);
+  return text.empty() ? text : fmt::format("## Scenes affected\n\n{}", text);
 }
 
 std::string environment_part(const std::vector<EnvironmentFact>& facts) {

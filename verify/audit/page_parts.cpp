@@ -66,13 +66,24 @@ std::string statistics(const Shifts& shifts) {
 /// Differences that need no statistics: of identities, or of anything on equal trajectories.
 std::string exact_differences(const AuditFindings& f, bool equal_trajectories) {
   std::vector<const Shift*> differing;
+  std::size_t harmless = 0;
   const auto collect = [&](const std::vector<Shift>& shifts) {
-    for (const Shift& s : shifts)
-      if (s.moved != Moved::no && s.before.values != s.after.values) differing.push_back(&s);
+    for (const Shift& s : shifts) {
+      if (s.moved == Moved::no) continue;
+      if (!equal_trajectories && s.moved == Moved::equivalent)
+        ++harmless;
+      else
+        differing.push_back(&s);
+    }
   };
   collect(f.shifts.identities);
   if (equal_trajectories) collect(f.shifts.all);
-  if (differing.empty()) return {};
+  const std::string others =
+      harmless == 0
+          ? ""
+          : fmt::format("{} exact numbers differ by less than half of their tolerance, on other trajectories.\n\n",
+                        harmless);
+  if (differing.empty()) return others;
   const auto rank = [](const Shift* s) {
     return std::abs(s->difference) / std::max(half_tolerance(s->before.band, mean_of(s->before)), 1e-300);
   };
@@ -90,7 +101,7 @@ std::string exact_differences(const AuditFindings& f, bool equal_trajectories) {
   text += fmt::format("{}\n", markdown_table({"claim", "number", "before", "after", "difference", "band"}, rows));
   if (differing.size() > rows.size())
     text += fmt::format("{} more differ, by less of their tolerance.\n\n", differing.size() - rows.size());
-  return text;
+  return text + others;
 }
 
 }  // namespace

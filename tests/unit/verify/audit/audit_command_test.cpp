@@ -151,6 +151,21 @@ BOOST_FIXTURE_TEST_CASE(a_commit_must_declare_what_its_baseline_shows, Repositor
   BOOST_TEST(check() == 2);
 }
 
+BOOST_FIXTURE_TEST_CASE(revisions_of_equal_sources_are_bitwise_at_once, Repository) {
+  const EvidenceSet set = test::made_up_evidence();
+  commit(set, "The first");
+  commit(test::with_other_trajectories(set), "Another baseline, but no other source");
+  for (const std::vector<std::string>& sides :
+       {std::vector<std::string>{"HEAD~1", "HEAD"}, {"HEAD", "."}, {".", "HEAD~1"}}) {
+    const ProcessResult audited = run({GPF_PROGRAM, "audit", sides[0], sides[1], "--declare", "bitwise"});
+    BOOST_TEST(audited.exit_status == 0, audited.errors);
+    BOOST_TEST(contains(audited.output, "nothing was run"), audited.output);
+  }
+  std::filesystem::create_directories(folder / "lib");
+  write_text_atomically(folder / "lib/new.cpp", "a file that git does not know yet\n");
+  BOOST_TEST(run({GPF_PROGRAM, "audit", "HEAD", "."}).exit_status == 4);  // there is nothing to build
+}
+
 BOOST_FIXTURE_TEST_CASE(what_cannot_be_audited_is_refused, SmallSuite) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
                                                     {"one"},

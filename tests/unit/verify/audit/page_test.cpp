@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_rejected_change_shows_what_moved_and_which_verdicts) {
   const std::string page = audit_page(report);
   for (const char* part : {"**new physics**, declared same physics: **rejected**", "2 of 2 runs go other ways",
                            "| claim | a number ", "[2, 18]", "a number is out of its band",
-                           "Other trajectories (2): alpha", "cannot be replayed", "claim: an identity"})
+                           "other trajectories (2): alpha (1); beta (1)", "cannot be replayed", "claim: an identity"})
     BOOST_TEST(contains(page, part), page);
 }
 
