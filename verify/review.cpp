@@ -9,16 +9,14 @@
 
 namespace gpf {
 
-Verdict review(const Claim& claim, Tier tier, int look, SceneLibrary& scenes, const RecordStore& store,
+Verdict review(const Claim& claim, Tier tier, const Look& look, SceneLibrary& scenes, const RecordStore& store,
                std::uint64_t release_seed, const EstimatorLookup& estimators) {
-  const std::vector<int> looks = looks_up_to(claim.replicas_in(tier));
-  const int replicas = looks.at(static_cast<std::size_t>(look - 1));
   SceneRecords records;
   std::vector<std::string> names;
   double cpu_seconds = 0;
   for (const std::string& name : claim.scenes_in(tier))
     for (const NamedScene& scene : scenes.of(name))
-      for (int replica = 0; replica < replicas; ++replica) {
+      for (int replica = 0; replica < look.replicas; ++replica) {
         const SceneFile file = replica_of(scene, replica, release_seed);
         std::optional<Record> record = store.load(file);
         if (!record)
@@ -35,7 +33,7 @@ Verdict review(const Claim& claim, Tier tier, int look, SceneLibrary& scenes, co
       std::any_of(evidence.checks.begin(), evidence.checks.end(), [](const Check& c) { return !c.exact; });
   for (HealthCheck& health : check_records(claim, records, statistical)) evidence.health.push_back(std::move(health));
 
-  Verdict verdict = judge(claim, tier, evidence, replicas, look, static_cast<int>(looks.size()));
+  Verdict verdict = judge(claim, tier, evidence, look.replicas, look.number, look.of);
   verdict.records = std::move(names);
   verdict.cpu_seconds += cpu_seconds;
   verdict.release_seed = release_seed;

@@ -89,6 +89,7 @@ class Validation {
 
  private:
   [[nodiscard]] std::vector<int> looks_of(const Claim& claim) const {
+    if (options_.replicas != 0 && !claim.scenes_in(options_.tier).empty()) return {options_.replicas};
     return looks_up_to(claim.replicas_in(options_.tier));
   }
 
@@ -106,9 +107,10 @@ class Validation {
   bool judge_one(const Claim& claim, int look, std::uint64_t seed, const std::map<std::string, std::string>& notes) {
     if (options_.stop != nullptr && *options_.stop != 0) throw Stopped{};
     try {
-      Verdict verdict = review(claim, options_.tier, look, scenes_, store_, seed, options_.estimators);
-      const bool last = static_cast<std::size_t>(look) == looks_of(claim).size();
-      if (verdict.outcome == Outcome::inconclusive && !last) return false;
+      const std::vector<int> looks = looks_of(claim);
+      const Look this_look{look, static_cast<int>(looks.size()), looks.at(static_cast<std::size_t>(look - 1))};
+      Verdict verdict = review(claim, options_.tier, this_look, scenes_, store_, seed, options_.estimators);
+      if (verdict.outcome == Outcome::inconclusive && this_look.number < this_look.of) return false;
       verdict.program_hash = program_;
       if (const auto note = notes.find(claim.id); note != notes.end()) verdict.notes.push_back(note->second);
       write_verdict(verdict, options_.store);
@@ -168,6 +170,9 @@ ValidateResult judge_claims(const ValidateOptions& options) {
                        "program",
                        "leave out --release-seed, or choose --tier standard");
   } else {
+    if (options.replicas != 0)
+      throw InputError(fmt::format("a number of replicas in tier {}", name_of(options.tier)),
+                       "there the looks are part of the stated error rates", "leave out --replicas");
     if (seed == 0) seed = default_release_seed();
     fmt::print(stderr, "release seed {}: --release-seed {} repeats these runs\n", seed, seed);
   }

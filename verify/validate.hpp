@@ -19,6 +19,7 @@ struct ValidateOptions {
   std::vector<std::string> claims;  ///< ids; empty: all of the tier
   std::filesystem::path store = "records", reference = "reference";
   int jobs = 1;                        ///< runs at a time
+  int replicas = 0;                    ///< quick: look once, with so many, whatever the caps; 0: as the claims say
   std::uint64_t release_seed = 0;      ///< standard and full: mixed into the replicas' seeds; 0: that of this version
   std::vector<std::string> only_runs;  ///< scenes: make the records of the first look, judge nothing
   bool json = false;                   ///< one JSON object on standard output instead of the table
@@ -48,7 +49,7 @@ ValidateResult judge_claims(const ValidateOptions& options);
 /// and progress on standard error. Returns the program's exit status: 0 all green; 1 a claim is decided against its
 /// expectation (or an `unresolved` one is decided); 77 otherwise, when a claim that should be decided is not; 75
 /// stopped by a signal; 2, 3 or 4 when a run failed or a claim could not be judged, whatever the others say. Throws
-/// InputError for an unknown claim or scene, or a release seed in the quick tier.
+/// InputError for an unknown claim or scene, a release seed in the quick tier, or a number of replicas in another.
 int validate(const ValidateOptions& options);
 
 /// The release seed that stands for this version of gpf.

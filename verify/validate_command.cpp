@@ -40,6 +40,10 @@ void add_validate_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--release-seed", options->release_seed,
                       "standard and full: seed of this release's replicas (default: from the version)");
+  command
+      ->add_option("--replicas", options->replicas,
+                   "quick: look once, with so many replicas, whatever the claims' caps (to compare two programs)")
+      ->check(CLI::Range(2, 32));
   CLI::Option* only = command->add_option("--only-runs", options->only_runs,
                                           "Make the first look's records of these scenes and judge nothing");
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
@@ -54,7 +58,8 @@ void add_validate_command(CLI::App& app, int& status) {
       "75 stopped by a signal, the same command goes on.\n"
       "Examples:\n"
       "  gpf validate --tier quick\n"
-      "  gpf validate eos.virial --jobs 2\n");
+      "  gpf validate eos.virial --jobs 2\n"
+      "  gpf validate --replicas 8 --store build/eight\n");
   command->callback([options, tier, gate, &status] {
     options->tier = tier_named(*tier);
     options->stop = stop_on_signals();

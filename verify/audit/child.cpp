@@ -1,0 +1,53 @@
+#include "verify/audit/child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "gpf/base/error.hpp"
+
+namespace gpf {
+namespace {
+
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+}  // namespace
+
+ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  std::vector<std::string> storage = arguments;  // spawn takes pointers to non-const
+  std::vector<char*> argv;
+  for (std::string& argument : storage) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (file < 0)
+    throw StorageError(fmt::format("cannot write '{}'", log.string()), std::generic_category().message(errno),
+                       "choose another folder with --work");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, file, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, file, STDERR_FILENO);
+  pid_t child = 0;
+  const int failure = ::posix_spawnp(&child, argv.front(), &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(file);
+  if (failure != 0)
+    throw StorageError(fmt::format("cannot start {}", arguments.front()), std::generic_category().message(failure),
+                       "install it, or add its folder to the PATH");
+  int status = 0;
+  rusage usage{};
+  while (::wait4(child, &status, 0, &usage) < 0)
+    if (errno != EINTR)
+      throw StorageError(fmt::format("lost {}", arguments.front()), std::generic_category().message(errno),
+                         "try again");
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024 * static_cast<double>(usage.ru_maxrss)};
+}
+
+}  // namespace gpf
