@@ -162,8 +162,8 @@ void fill_store(Side& side, const SideOptions& options) {
   const std::string question = fmt::format("{}\n", fmt::join(command, " "));
   if (options.rebuild) std::filesystem::remove_all(side.store);
   if (!side.commit.empty() && !options.rebuild && std::filesystem::exists(done) && read_text(done) == question) return;
-  std::filesystem::remove(done);
-  std::filesystem::remove(log);
+  // Verdicts of an earlier audit must not stand for those that this one does not reach.
+  for (const std::filesystem::path& old : {done, log, side.store / "verdicts"}) std::filesystem::remove_all(old);
   fmt::print(stderr, "gpf audit: running and judging {} (log in {})\n", side.name, log.string());
   const int status = run_child(command, log).exit_status;
   stop_if_asked(options);
