@@ -38,8 +38,8 @@ class Group {
       const TwoSides& n = numbers[members_[k]];
       std::vector<double> all = n.a;
       all.insert(all.end(), n.b.begin(), n.b.end());
-      // Centred, and of sum of squares 1: t does not change, and squares lose no digits. Centred twice, because the mean
-      // of numbers whose scatter is small has a round-off of its own.
+      // Centred, and of sum of squares 1: t does not change, and squares lose no digits. Centred twice, because the
+      // mean of numbers whose scatter is small has a round-off of its own.
       for (int pass = 0; pass < 2; ++pass) {
         const double mean = std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
         for (double& x : all) x -= mean;
