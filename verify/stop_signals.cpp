@@ -1,5 +1,7 @@
 #include "verify/stop_signals.hpp"
 
+#include <initializer_list>
+
 namespace gpf {
 namespace {
 
