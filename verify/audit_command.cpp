@@ -2,17 +2,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <thread>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
+#include "gpf/scene/nearest_word.hpp"
 #include "verify/audit/audit.hpp"
 #include "verify/audit/baseline.hpp"
 #include "verify/audit/commit_check.hpp"
+#include "verify/claim.hpp"
 #include "verify/commands.hpp"
 #include "verify/stop_signals.hpp"
+#include "verify/writable.hpp"
 
 namespace gpf {
 namespace {
@@ -28,11 +32,27 @@ struct Options {
 
 constexpr int red = static_cast<int>(ExitStatus::red), success = static_cast<int>(ExitStatus::success);
 
+/// Throws unless the claims asked for exist, as far as this program's own reference knows.
+void require_known(const AuditOptions& options) {
+  if (options.sides.claims.empty()) return;
+  const std::vector<Claim> claims = load_claims(options.reference / "claims");
+  std::vector<std::string_view> known;
+  for (const Claim& claim : claims)
+    if (claim.judged_in(Tier::quick)) known.push_back(claim.id);
+  for (const std::string& id : options.sides.claims)
+    if (known.empty() || std::find(known.begin(), known.end(), id) == known.end())
+      throw InputError(fmt::format("unknown claim '{}', or one that tier quick does not judge", id),
+                       known.empty() ? "there is no claim" : fmt::format("did you mean '{}'?", nearest_word(id, known)),
+                       fmt::format("see {}", (options.reference / "claims").string()));
+}
+
 int compare_versions(Options options) {
   AuditOptions& audit_options = options.audit;
   if (audit_options.before.empty() || audit_options.after.empty())
     throw InputError("gpf audit needs two versions", "it compares A with B", "name two stores or revisions");
   if (!options.declared.empty()) audit_options.declared = physics_change_named(options.declared);
+  if (!options.output.empty()) require_writable_file(options.output);  // now, rather than when the work is done
+  require_known(audit_options);
   audit_options.sides.stop = stop_on_signals();
   const AuditReport report = audit(audit_options);
   if (options.output.empty())
@@ -90,16 +110,18 @@ void add_audit_command(CLI::App& app, int& status) {
   sides.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command =
       app.add_subcommand("audit", "Say what moved between two versions, and of which class the change is");
-  command->add_option("before", options->audit.before, "A: a store, a git revision, or . for the working tree");
-  command->add_option("after", options->audit.after, "B: likewise");
-  command->add_option("--declare", options->declared,
-                      "bitwise, roundoff, same-physics or new-physics: exit with 1 if the change is more than that");
+  CLI::Option* before =
+      command->add_option("before", options->audit.before, "A: a store, a git revision, or . for the working tree");
+  CLI::Option* after = command->add_option("after", options->audit.after, "B: likewise");
+  CLI::Option* declare = command->add_option(
+      "--declare", options->declared,
+      "bitwise, roundoff, same-physics or new-physics: exit with 1 if the change is more than that");
   command->add_option("--output", options->output, "File for the page (default: standard output)");
   command->add_option("-j,--jobs", sides.jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
   command->add_option("--replicas", sides.replicas, "Of each scene, for revisions")
       ->check(CLI::Range(2, 32))
       ->capture_default_str();
-  command->add_option("--claims", sides.claims, "Only these claims");
+  command->add_option("--claims", sides.claims, "Only these claims, separated by commas")->delimiter(',')->expected(1);
   command->add_option("--work", sides.work, "Folder for the trees, programs and stores of revisions")
       ->capture_default_str();
   command->add_flag("--rebuild", sides.rebuild, "Build, run and judge again, even where nothing differs");
@@ -114,6 +136,7 @@ void add_audit_command(CLI::App& app, int& status) {
                         "Instead: does the last commit declare what its baseline shows? (77: cannot say)");
   write->excludes(check)->excludes(commit);
   check->excludes(commit);
+  for (CLI::Option* instead : {write, check, commit}) instead->excludes(before)->excludes(after)->excludes(declare);
   command->add_option("--store", options->store, "The store of --write-baseline and --check-baseline")
       ->capture_default_str();
   command->footer(

@@ -15,6 +15,7 @@
 #include "verify/stop_signals.hpp"
 #include "verify/toml_fields.hpp"
 #include "verify/validate.hpp"
+#include "verify/writable.hpp"
 
 namespace gpf {
 namespace {
@@ -49,7 +50,13 @@ int print_answers(const Options& options) {
     const Fault& fault = fault_named(name);
     const std::vector<Claim> claims = chosen_claims(options);
     if (options.smallest) {
+      const auto at_all = try_fault(fault, fault.dose, claims, options.trial);
+      if (!at_all) return static_cast<int>(ExitStatus::interrupted);
       for (const Claim& claim : claims) {
+        if (at_all->claims.at(claim.id).caught != Caught::yes) {
+          fmt::print("{}: {} does not catch it at {:.3g} ({})\n", fault.name, claim.id, fault.dose, fault.dose_means);
+          continue;
+        }
         const auto found = smallest_dose(fault, claim, options.trial);
         if (!found) return static_cast<int>(ExitStatus::interrupted);
         fmt::print("{}: {} catches it from {:.3g} on ({}), not at {:.3g}\n", fault.name, claim.id, found->caught,
@@ -68,19 +75,41 @@ int print_answers(const Options& options) {
   return static_cast<int>(ExitStatus::success);
 }
 
-/// Everything that reference/faults.toml asks for, and the page.
-int make_matrix(const Options& options) {
+/// What reference/faults.toml asks for besides the matrix of tier quick.
+struct Wanted {
+  std::vector<std::pair<const Fault*, std::vector<Claim>>> standard;
+  std::vector<std::pair<const Fault*, Claim>> smallest;
+};
+
+Wanted read_wanted(const FaultOptions& options, const std::vector<Claim>& quick_claims) {
   constexpr std::array<std::string_view, 2> file_keys{"standard", "smallest"};
   constexpr std::array<std::string_view, 2> standard_keys{"fault", "claims"}, smallest_keys{"fault", "claim"};
-  const std::string path = (options.trial.reference / "faults.toml").string();
+  const std::string path = (options.reference / "faults.toml").string();
   const TomlTable tree = read_toml(read_text(path), path);
   const TomlFields file(tree, {}, "", path, file_keys);
-  const auto stopped = static_cast<int>(ExitStatus::interrupted);
+  const std::vector<Claim> standard_claims = claims_with_records(options.reference, Tier::standard);
+  Wanted wanted;
+  for (const TomlFields& table : file.tables("standard", "[[standard]]", standard_keys)) {
+    wanted.standard.push_back({&fault_named(table.text("fault")), {}});
+    for (const std::string& id : table.texts("claims"))
+      wanted.standard.back().second.push_back(claim_named(standard_claims, id));
+  }
+  for (const TomlFields& table : file.tables("smallest", "[[smallest]]", smallest_keys))
+    wanted.smallest.emplace_back(&fault_named(table.text("fault")), claim_named(quick_claims, table.text("claim")));
+  return wanted;
+}
 
+/// The matrix, what else reference/faults.toml asks for, and the page.
+int make_matrix(const Options& options) {
+  const auto stopped = static_cast<int>(ExitStatus::interrupted);
   FaultMatrix matrix;
   matrix.claims = claims_with_records(options.trial.reference, Tier::quick);
+  const Wanted wanted = read_wanted(options.trial, matrix.claims);
+  require_writable_folder(options.output);
   for (const Claim& claim : load_claims(options.trial.reference / "claims"))
     if (claim.judged_in(Tier::quick) && claim.scenes_in(Tier::quick).empty()) matrix.others.push_back(claim.id);
+  fmt::print(stderr, "no fault\n");
+  if (!all_green_without_fault(matrix.claims, options.trial)) return stopped;
   for (const Fault& fault : faults()) {
     fmt::print(stderr, "fault {} of {}: {}\n", matrix.quick.size() + 1, faults().size(), fault.name);
     const auto trial = try_fault(fault, fault.dose, matrix.claims, options.trial);
@@ -89,20 +118,15 @@ int make_matrix(const Options& options) {
   }
   FaultOptions standard = options.trial;
   standard.tier = Tier::standard;
-  const std::vector<Claim> standard_claims = claims_with_records(options.trial.reference, Tier::standard);
-  for (const TomlFields& table : file.tables("standard", "[[standard]]", standard_keys)) {
-    const Fault& fault = fault_named(table.text("fault"));
-    std::vector<Claim> claims;
-    for (const std::string& id : table.texts("claims")) claims.push_back(claim_named(standard_claims, id));
-    fmt::print(stderr, "tier standard: {}\n", fault.name);
-    const auto trial = try_fault(fault, fault.dose, claims, standard);
+  for (const auto& [fault, claims] : wanted.standard) {
+    fmt::print(stderr, "tier standard: {}\n", fault->name);
+    const auto trial = try_fault(*fault, fault->dose, claims, standard);
     if (!trial) return stopped;
     matrix.standard.push_back(*trial);
   }
-  for (const TomlFields& table : file.tables("smallest", "[[smallest]]", smallest_keys)) {
-    const Fault& fault = fault_named(table.text("fault"));
-    fmt::print(stderr, "smallest dose: {}\n", fault.name);
-    const auto found = smallest_dose(fault, claim_named(matrix.claims, table.text("claim")), options.trial);
+  for (const auto& [fault, claim] : wanted.smallest) {
+    fmt::print(stderr, "smallest dose: {}\n", fault->name);
+    const auto found = smallest_dose(*fault, claim, options.trial);
     if (!found) return stopped;
     matrix.smallest.push_back(*found);
   }
@@ -124,8 +148,7 @@ void add_faults_command(CLI::App& app, int& status) {
   command->add_option("--tier", options->tier, "quick, standard or full")
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
-  CLI::Option* dose = command->add_option("--dose", options->dose, "How badly (default: the fault's own)")
-                          ->check(CLI::NonNegativeNumber);
+  CLI::Option* dose = command->add_option("--dose", options->dose, "How badly (default: the fault's own)");
   command->add_flag("--smallest", options->smallest, "Look for the smallest dose that each claim catches")
       ->excludes(dose);
   command->add_option("-j,--jobs", options->trial.jobs, "Runs at a time")
@@ -137,7 +160,8 @@ void add_faults_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "Folder for the page")->capture_default_str();
   std::string list;
-  for (const Fault& fault : faults()) list += fmt::format("  {:<50} {}\n", fault.name, fault.what);
+  for (const Fault& fault : faults())
+    list += fmt::format("  {:<46} {}; dose {:.3g} ({})\n", fault.name, fault.what, fault.dose, fault.dose_means);
   command->footer(
       fmt::format("Faults:\n{}\nExit status: 1 when a fault of the page is caught by no claim; 75 stopped, the same "
                   "command goes on.\n"

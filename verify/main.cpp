@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/provenance.hpp"
@@ -44,9 +45,17 @@ int main(int argc, char** argv) {
   } catch (const gpf::Error& error) {
     std::fprintf(stderr, "gpf: %s\n", error.what());
     return static_cast<int>(error.status());
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "gpf: cannot write the output (%s): make room, or write it elsewhere\n", error.what());
+    return static_cast<int>(gpf::ExitStatus::storage);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gpf: %s (this should not happen): report it with the command that led here\n", error.what());
     return static_cast<int>(gpf::ExitStatus::physics);
+  }
+  // What a pipe or a full disk did not take is lost: the exit status must not say otherwise.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fprintf(stderr, "gpf: cannot write the output: make room, or write it elsewhere\n");
+    return static_cast<int>(gpf::ExitStatus::storage);
   }
   return status;
 }

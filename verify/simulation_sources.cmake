@@ -1,4 +1,4 @@
-# cmake -DSOURCES=file;file... -DROOT=folder -DOUTPUT=header -P simulation_sources.cmake
+# cmake -DSOURCES=file;file... -DROOT=folder -DNAME=constant -DOUTPUT=header -P simulation_sources.cmake
 # Writes a header with a hash of the files' names and contents; an unchanged one is left alone.
 set(all "")
 foreach(file IN LISTS SOURCES)
@@ -10,5 +10,5 @@ string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 16 hash)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #include <cstdint>
-inline constexpr std::uint64_t simulation_sources_hash = 0x${hash}u;
+inline constexpr std::uint64_t ${NAME} = 0x${hash}u;
 " @ONLY)

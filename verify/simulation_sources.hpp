@@ -9,4 +9,8 @@ namespace gpf {
 /// when the program was built. The physics version only changes when somebody says so; this changes with every edit.
 std::uint64_t simulation_sources();
 
+/// Hash of the source files that decide about a record's verdict: statistics, theory, estimators, judge - and the
+/// faults that may have been put into it.
+std::uint64_t judging_sources();
+
 }  // namespace gpf

@@ -10,6 +10,7 @@
 #include "verify/estimators/scene_values.hpp"
 #include "verify/trial/seed_trial.hpp"
 #include "verify/trial/trial_page.hpp"
+#include "verify/writable.hpp"
 
 namespace gpf {
 namespace {
@@ -45,10 +46,7 @@ void add_trial_command(CLI::App& app, int& status) {
       "Exit status 1 when a rate lies outside of what is stated by more than sampling error.\n\n"
       "Examples:\n  gpf trial\n  gpf trial --quick --output trial\n");
   command->callback([options, &status] {
-    std::error_code ignored;
-    std::filesystem::create_directories(options->output, ignored);
-    write_text_atomically(options->output / ".gpf-trial", "");  // before minutes of work: can it be written to?
-    std::filesystem::remove(options->output / ".gpf-trial", ignored);
+    require_writable_folder(options->output);  // before minutes of work
     const Trial trial = run_trial(options->quick);
     write_trial_page(trial, options->output);
     for (const TrialResult& r : trial.outside())

@@ -8,6 +8,8 @@
 #include "gpf/base/error.hpp"
 #include "verify/audit/git.hpp"
 #include "verify/audit/replay.hpp"
+#include "verify/claim.hpp"
+#include "verify/file_lock.hpp"
 
 namespace gpf {
 namespace {
@@ -32,7 +34,8 @@ void find_first_difference(const AuditOptions& options, const Side& before, cons
   fmt::print(stderr, "gpf audit: replaying {}\n", run.name);
   try {
     const auto epochs = static_cast<std::int64_t>(std::ceil(run.time / run.epoch_length));
-    const auto event = replay({text, epochs, run.epoch_length, before.program, after.program, options.sides.work});
+    const auto event = replay({text, epochs, run.epoch_length, before.program, after.program, options.sides.work,
+                               [&] { stop_if_asked(options.sides); }});
     if (event)
       report.findings.first = {run.name, *event};
     else
@@ -51,10 +54,40 @@ void compare_cost(const AuditOptions& options, const Side& before, const Side& a
   }
   fmt::print(stderr, "gpf audit: measuring cost\n");
   try {
-    report.cost = measure_cost(before.program, after.program, options.sides.work);
+    report.cost = measure_cost(before.program, after.program, options.sides.work, 5, options.sides.stop);
   } catch (const Error& error) {
+    stop_if_asked(options.sides);
     report.findings.notes.push_back(fmt::format("Cost was not measured: {}", error.what()));
   }
+}
+
+/// Claims that were asked for and have a verdict on neither side.
+void find_unjudged(const std::vector<std::string>& asked, const EvidenceSet& a, const EvidenceSet& b,
+                   AuditFindings& findings) {
+  for (const std::string& id : asked)
+    if (!a.claims.contains(id) && !b.claims.contains(id))
+      findings.lost.push_back(fmt::format("claim {} (judged on neither side)", id));
+}
+
+/// The claims of tier quick in a tree; none when this program cannot read them.
+std::vector<std::string> quick_claims(const std::filesystem::path& reference) {
+  std::vector<std::string> ids;
+  try {
+    for (const Claim& claim : load_claims(reference / "claims"))
+      if (claim.judged_in(Tier::quick)) ids.push_back(claim.id);
+  } catch (const Error&) {
+    ids.clear();
+  }
+  return ids;
+}
+
+/// One audit at a time in a folder of trees and programs.
+std::optional<FileLock> locked(const SideOptions& options) {
+  std::error_code ignored;  // a folder that cannot be made is reported with the lock
+  std::filesystem::create_directories(options.work, ignored);
+  auto lock = FileLock::wait(options.work / "audit.lock", options.stop);
+  stop_if_asked(options);
+  return lock;
 }
 
 }  // namespace
@@ -70,6 +103,7 @@ AuditReport audit(const AuditOptions& options) {
     report.same_sources = true;
     return report;
   }
+  const auto lock = before.has_program() || after.has_program() ? locked(options.sides) : std::nullopt;
   for (Side* side : {&before, &after}) {
     build(*side, options.sides);
     fill_store(*side, options.sides);
@@ -79,6 +113,8 @@ AuditReport audit(const AuditOptions& options) {
   const EvidenceSet a = read_evidence(before.store, names, options.sides.claims),
                     b = read_evidence(after.store, names, options.sides.claims);
   report.findings = find_differences(a, b);
+  const bool all = options.sides.claims.empty();
+  find_unjudged(all && lock ? quick_claims(reference) : options.sides.claims, a, b, report.findings);
   for (const Side* side : {&before, &after})
     for (const std::string& note : side->notes) report.findings.notes.push_back(note);
   find_first_difference(options, before, after, a, b, report);

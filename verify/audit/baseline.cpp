@@ -11,6 +11,7 @@
 #include "gpf/io/record.hpp"
 #include "verify/audit/findings.hpp"
 #include "verify/planner.hpp"
+#include "verify/validate.hpp"
 #include "verify/verdict_file.hpp"
 
 namespace gpf {
@@ -21,6 +22,11 @@ bool agree(double a, double b, Interval band) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return true;
   const double scale = std::max({std::abs(a), std::abs(b), std::isfinite(band.width()) ? band.width() : 0.0});
   return std::abs(a - b) <= baseline_precision * scale;
+}
+
+bool judged_alike(const ClaimEstimate& a, const ClaimEstimate& b) {
+  const auto same = [](double x, double y) { return x == y || std::abs(x - y) <= baseline_precision * std::abs(x); };
+  return a.exact == b.exact && a.share == b.share && same(a.band.lo, b.band.lo) && same(a.band.hi, b.band.hi);
 }
 
 bool agree(const ClaimEstimate& a, const ClaimEstimate& b) {
@@ -39,10 +45,22 @@ std::map<std::pair<std::string, std::string>, const ClaimEstimate*> by_label(con
   return found;
 }
 
+/// Whether something of the old baseline is gone, or judged otherwise.
+bool unseen(const EvidenceSet& before, const EvidenceSet& after) {
+  for (const auto& [name, run] : before.runs)
+    if (!after.runs.contains(name)) return true;
+  const auto old = by_label(before), now = by_label(after);
+  return std::any_of(old.begin(), old.end(), [&](const auto& entry) {
+    const auto found = now.find(entry.first);
+    return found == now.end() || !judged_alike(*entry.second, *found->second);
+  });
+}
+
 }  // namespace
 
 EvidenceSet baseline_evidence(const std::filesystem::path& store, const std::filesystem::path& reference) {
   EvidenceSet set;
+  const std::uint64_t program = program_hash();
   Demand demand;
   for (const Claim& claim : load_claims(reference / "claims")) {
     if (!claim.judged_in(Tier::quick)) continue;
@@ -50,11 +68,15 @@ EvidenceSet baseline_evidence(const std::filesystem::path& store, const std::fil
       throw InputError(fmt::format("'{}' has no verdict on claim '{}'", store.string(), claim.id),
                        "a baseline is made of all claims of tier quick",
                        fmt::format("gpf validate --tier quick --store {}", store.string()));
-    for (const JudgedCheck& check : read_verdict(store, Tier::quick, claim.id).checks)
-      set.numbers.push_back(estimate_of(claim.id, check));
+    const Verdict verdict = read_verdict(store, Tier::quick, claim.id);
+    if (verdict.claim_hash != claim.text_hash || (program != 0 && verdict.program_hash != program))
+      throw InputError(fmt::format("the verdict on claim '{}' in '{}' is out of date", claim.id, store.string()),
+                       "the claim file or the program has changed since",
+                       fmt::format("gpf validate --tier quick --store {}", store.string()));
+    for (const JudgedCheck& check : verdict.checks) set.numbers.push_back(estimate_of(claim.id, check));
     add_demand(demand, claim, Tier::quick, looks_up_to(claim.replicas_in(Tier::quick)).front());
   }
-  const RecordStore records(store, Trust::same_version);
+  const RecordStore records(store, trust_in(Tier::quick));
   SceneLibrary scenes(reference);
   for (const auto& [name, replicas] : demand)
     for (const NamedScene& scene : scenes.of(name))
@@ -88,6 +110,8 @@ std::vector<std::string> baseline_differences(const EvidenceSet& baseline, const
     const auto found = after.find(label);
     if (found == after.end())
       lines.push_back(fmt::format("claim {} no longer has: {}", label.first, label.second));
+    else if (!judged_alike(*a, *found->second))
+      lines.push_back(fmt::format("claim {}, {}: another kind or band", label.first, label.second));
     else if (!agree(*a, *found->second))
       lines.push_back(fmt::format("claim {}, {}: {:.9g}, in the baseline {:.9g}", label.first, label.second,
                                   fmt::join(found->second->values, " "), fmt::join(a->values, " ")));
@@ -104,6 +128,7 @@ PhysicsChange least_class(const EvidenceSet& before, const EvidenceSet& after) {
   limits.relative = baseline_precision;
   const PhysicsChange change = class_of(found, limits);
   const bool replay_could_tell = change == PhysicsChange::same_physics && !found.other_trajectories.empty();
+  if (unseen(before, after)) return std::max(change, PhysicsChange::same_physics);
   return replay_could_tell ? PhysicsChange::roundoff : change;
 }
 

@@ -19,7 +19,8 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 
 }  // namespace
 
-ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log,
+                      const volatile std::sig_atomic_t* stop) {
   std::vector<std::string> storage = arguments;  // spawn takes pointers to non-const
   std::vector<char*> argv;
   for (std::string& argument : storage) argv.push_back(argument.data());
@@ -42,10 +43,16 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::file
                        "install it, or add its folder to the PATH");
   int status = 0;
   rusage usage{};
-  while (::wait4(child, &status, 0, &usage) < 0)
-    if (errno != EINTR)
+  // A signal between a look at the flag and a wait would be slept through, so the flag is looked at now and then.
+  bool asked = false;
+  for (pid_t ended = 0; ended != child;) {
+    if (!asked && stop != nullptr && *stop != 0) asked = ::kill(child, SIGTERM) == 0;
+    ended = ::wait4(child, &status, WNOHANG, &usage);
+    if (ended == 0) ::usleep(20'000);
+    if (ended < 0 && errno != EINTR)
       throw StorageError(fmt::format("lost {}", arguments.front()), std::generic_category().message(errno),
                          "try again");
+  }
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024 * static_cast<double>(usage.ru_maxrss)};
 }

@@ -1,6 +1,7 @@
 // Another program run to its end with its output in a file, and what it cost.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,8 +14,10 @@ struct ChildResult {
   double peak_memory = 0;  ///< bytes: the largest resident set of it or one of its children
 };
 
-/// Runs arguments[0], looked up on the PATH, and waits for it; standard output and errors go to the end of `log`.
-/// Throws StorageError when the log cannot be opened or the program cannot be started.
-ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log);
+/// Runs arguments[0], looked up on the PATH, and waits for it; standard output and errors go to the end of `log`. When
+/// *stop becomes set the child is asked to end (SIGTERM), and waited for. Throws StorageError when the log cannot be
+/// opened or the program cannot be started.
+ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log,
+                      const volatile std::sig_atomic_t* stop = nullptr);
 
 }  // namespace gpf

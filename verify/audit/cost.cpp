@@ -36,10 +36,14 @@ struct OneRun {
   double seconds_per_contact, memory;
 };
 
-OneRun run_once(const std::filesystem::path& program, const std::filesystem::path& folder) {
+OneRun run_once(const std::filesystem::path& program, const std::filesystem::path& folder,
+                const volatile std::sig_atomic_t* stop) {
   const std::filesystem::path file = folder / "cost.toml", record = folder / "cost.h5", log = folder / "cost.log";
   std::filesystem::remove(log);
-  const ChildResult child = run_child({program.string(), "run", file.string(), "-o", record.string(), "--force"}, log);
+  const ChildResult child =
+      run_child({program.string(), "run", file.string(), "-o", record.string(), "--force"}, log, stop);
+  std::error_code ignored;
+  std::filesystem::remove(record.string() + ".checkpoint", ignored);
   if (child.exit_status != 0)
     throw InputError(fmt::format("{} cannot run the scene by which cost is measured", program.string()), read_text(log),
                      fmt::format("see {}", file.string()));
@@ -64,12 +68,12 @@ CostComparison cost_of_rounds(std::vector<double> before, std::vector<double> af
 }
 
 CostComparison measure_cost(const std::filesystem::path& before, const std::filesystem::path& after,
-                            const std::filesystem::path& folder, int rounds) {
+                            const std::filesystem::path& folder, int rounds, const volatile std::sig_atomic_t* stop) {
   write_text_atomically(folder / "cost.toml", scene);
   std::vector<double> first, second;
   double memory_before = 0, memory_after = 0;
   for (int k = 0; k < rounds; ++k) {
-    const OneRun a = run_once(before, folder), b = run_once(after, folder);
+    const OneRun a = run_once(before, folder, stop), b = run_once(after, folder, stop);
     first.push_back(a.seconds_per_contact);
     second.push_back(b.seconds_per_contact);
     memory_before = std::max(memory_before, a.memory);

@@ -1,6 +1,7 @@
 // What two versions cost beside each other: CPU time per collision, and memory.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -21,9 +22,10 @@ struct CostComparison {
 CostComparison cost_of_rounds(std::vector<double> before, std::vector<double> after);
 
 /// Runs a fixed scene of about a second with both programs in turn, `rounds` times. Throws InputError when a program
-/// fails, StorageError.
+/// fails or is stopped, StorageError.
 CostComparison measure_cost(const std::filesystem::path& before, const std::filesystem::path& after,
-                            const std::filesystem::path& folder, int rounds = 5);
+                            const std::filesystem::path& folder, int rounds = 5,
+                            const volatile std::sig_atomic_t* stop = nullptr);
 
 /// From the records that both sides have; nothing when there is none.
 std::optional<CostComparison> cost_of_records(const EvidenceSet& before, const EvidenceSet& after);

@@ -54,8 +54,15 @@ void sum_up(const Record& record, RunDigest& digest) {
     }
   };
   for (const NamedArray& array : record.arrays) append(array.values);
+  append(record.history.time);
   append(record.history.energy);
   append(record.history.temperature);
+  const auto append_state = [&](const State& state) {
+    for (const auto* vectors : {&state.position, &state.velocity})
+      for (const Vec2 v : *vectors) append({v.x, v.y});
+  };
+  for (const Snapshot& snapshot : record.snapshots) append_state(snapshot.state);
+  append_state(record.final_state);
 }
 
 RunDigest digest_of(const Record& record, std::string name) {
@@ -104,7 +111,7 @@ std::map<std::string, std::string> run_names(const std::filesystem::path& refere
 
 ClaimEstimate estimate_of(const std::string& claim, const JudgedCheck& judged) {
   const Check& check = judged.check;
-  return {claim, check.label, check.values, check.band, check.exact || check.values.size() < 2, check.share};
+  return {claim, check.label, check.values, check.band, check.exact, check.share};
 }
 
 bool is_store(const std::filesystem::path& folder) { return !files_in(verdict_folder(folder), ".json").empty(); }
@@ -127,7 +134,10 @@ EvidenceSet read_evidence(const std::filesystem::path& store, const std::map<std
                      "gpf validate --tier quick --store makes them");
   for (const std::string& name : records) {
     const std::filesystem::path path = store / fmt::format("{}.h5", name);
-    if (!std::filesystem::exists(path)) continue;
+    if (!std::filesystem::exists(path)) {
+      set.missing_records.push_back(name);
+      continue;
+    }
     const Record record = read_record(path);
     const std::string key = canonical_text(record.scene, record.run);
     const auto known = names.find(key);

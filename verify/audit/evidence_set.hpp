@@ -18,7 +18,7 @@ struct RunDigest {
   std::string name;  ///< "<scene> #<replica>", or what the record is called where its scene is not known
   std::uint64_t trace_hash = 0;
   std::uint64_t measured = 0;  ///< hash of all bits that were measured
-  std::vector<double> sums;    ///< what was measured: tallies over all blocks, arrays, history
+  std::vector<double> sums;    ///< what was measured: tallies over all blocks, arrays, history, states
   std::vector<double> sizes;   ///< of each of them, the sum of the sizes of what was added
   std::uint64_t contacts = 0;  ///< pair contacts
   double time = 0, epoch_length = 0, cpu_seconds = 0;
@@ -37,6 +37,7 @@ struct EvidenceSet {
   std::map<std::string, RunDigest> runs;     ///< by the canonical text of scene and run
   std::vector<ClaimEstimate> numbers;        ///< of all claims, in their order by id
   std::map<std::string, ClaimState> claims;  ///< by id
+  std::vector<std::string> missing_records;  ///< names of records that the verdicts read and that are gone
 };
 
 /// Names of runs by their canonical text: each scene in <reference>/scenes with its first 32 replicas of the quick
@@ -44,12 +45,11 @@ struct EvidenceSet {
 std::map<std::string, std::string> run_names(const std::filesystem::path& reference);
 
 /// The verdicts of the quick tier in a store - all, or those of `claims` that are there - and the records that they
-/// read. Records that are gone are left out. Throws InputError when there is no verdict or one is damaged.
+/// read. Throws InputError when there is no verdict or one is damaged.
 EvidenceSet read_evidence(const std::filesystem::path& store, const std::map<std::string, std::string>& names,
                           const std::vector<std::string>& claims = {});
 
-/// The number of a judged check. One that has fewer than two values cannot be compared by statistics, so it counts as
-/// exact.
+/// The number of a judged check.
 ClaimEstimate estimate_of(const std::string& claim, const JudgedCheck& check);
 
 /// Whether a folder is a store: it has verdicts of the quick tier.

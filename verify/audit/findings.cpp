@@ -6,7 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace gpf {
@@ -22,28 +24,43 @@ bool inside(const ClaimEstimate& number) {
   return std::all_of(number.values.begin(), number.values.end(), [&](double x) { return number.band.contains(x); });
 }
 
+bool measured(const ClaimEstimate& number) {
+  return std::any_of(number.values.begin(), number.values.end(), [](double x) { return std::isfinite(x); });
+}
+
 std::string label_of(const ClaimEstimate& number) { return fmt::format("{}: {}", number.claim, number.label); }
 
 void measured_otherwise(const RunDigest& a, const RunDigest& b, AuditFindings& found) {
   found.other_measurements.push_back(a.name);
   if (a.sums.size() != b.sums.size()) {
     found.other_layout = true;
+    found.largest_relative_sum = INFINITY;
     return;
   }
-  for (std::size_t k = 0; k < a.sums.size(); ++k)
-    if (a.sums[k] != b.sums[k])
-      found.largest_relative_sum =
-          std::max(found.largest_relative_sum, std::abs(b.sums[k] - a.sums[k]) / std::max(a.sizes[k], b.sizes[k]));
+  // What differs in no sum is a structure that they do not show.
+  double largest = a.sums == b.sums ? INFINITY : 0;
+  for (std::size_t k = 0; k < a.sums.size(); ++k) {
+    if (a.sums[k] == b.sums[k] || (std::isnan(a.sums[k]) && std::isnan(b.sums[k]))) continue;
+    const double relative = std::abs(b.sums[k] - a.sums[k]) / std::max(a.sizes[k], b.sizes[k]);
+    largest = std::max(largest, std::isnan(relative) ? INFINITY : relative);
+  }
+  found.largest_relative_sum = std::max(found.largest_relative_sum, largest);
 }
 
+/// A run's scene: "<scene> #<replica>" without the replica.
+std::string scene_of(const std::string& run) { return run.substr(0, run.rfind(" #")); }
+
 void compare_runs(const EvidenceSet& before, const EvidenceSet& after, AuditFindings& found) {
+  std::set<std::string> scenes_of_both, scenes_before;
   for (const auto& [key, a] : before.runs) {
+    scenes_before.insert(scene_of(a.name));
     const auto other = after.runs.find(key);
     if (other == after.runs.end()) {
       found.runs_only_before.push_back(a.name);
       continue;
     }
     ++found.runs;
+    scenes_of_both.insert(scene_of(a.name));
     const RunDigest& b = other->second;
     if (a.trace_hash != b.trace_hash || a.contacts != b.contacts)
       found.other_trajectories.push_back(a.name);
@@ -52,6 +69,11 @@ void compare_runs(const EvidenceSet& before, const EvidenceSet& after, AuditFind
   }
   for (const auto& [key, b] : after.runs)
     if (!before.runs.contains(key)) found.runs_only_after.push_back(b.name);
+  std::set_difference(scenes_before.begin(), scenes_before.end(), scenes_of_both.begin(), scenes_of_both.end(),
+                      std::back_inserter(found.not_compared));
+  for (const auto* side : {&before, &after})
+    for (const std::string& record : side->missing_records)
+      found.not_compared.push_back(fmt::format("the record {}", record));
   for (auto* names :
        {&found.other_trajectories, &found.other_measurements, &found.runs_only_before, &found.runs_only_after})
     std::sort(names->begin(), names->end());
@@ -80,7 +102,7 @@ bool is_red(const ClaimState& claim) { return !claim.green && claim.outcome != O
 double mean_of(const std::vector<double>& values) { return summarise(values).mean; }
 
 /// How far two series of values are apart, for a judgement without statistics.
-void measure(const ClaimEstimate& a, const ClaimEstimate& b, AuditFindings& found) {
+void measure_difference(const ClaimEstimate& a, const ClaimEstimate& b, AuditFindings& found) {
   const double width = a.band.width();
   const double half_band = std::isfinite(width) ? width / 2 : 0;
   const std::size_t both = std::min(a.values.size(), b.values.size());
@@ -117,7 +139,6 @@ AuditFindings find_differences(const EvidenceSet& before, const EvidenceSet& aft
     std::deque<ClaimEstimate>& partners = others[{a.claim, a.label}];
     if (partners.empty()) {
       if (same_file(before, after, a.claim)) found.lost.push_back(label_of(a));
-      found.shifts.only_before.push_back(std::move(a));
       continue;
     }
     ClaimEstimate b = std::move(partners.front());
@@ -133,19 +154,14 @@ AuditFindings find_differences(const EvidenceSet& before, const EvidenceSet& aft
     if (same_bits(a.values, b.values)) {
       ++found.equal_numbers;
     } else {
-      measure(a, b, found);
+      measure_difference(a, b, found);
       if (a.exact && inside(a) != inside(b)) found.broken_identities.push_back(label_of(a));
     }
+    if (measured(a) && !measured(b)) found.lost.push_back(fmt::format("{} (not a number)", label_of(a)));
     paired_before.push_back(std::move(a));
     paired_after.push_back(std::move(b));
   }
-  std::vector<ClaimEstimate> only_after;
-  for (auto& [key, partners] : others)
-    for (ClaimEstimate& b : partners) only_after.push_back(std::move(b));
-  std::vector<ClaimEstimate> only_before = std::move(found.shifts.only_before);
   if (found.equal_numbers < found.numbers) found.shifts = compare(paired_before, paired_after);
-  found.shifts.only_before = std::move(only_before);
-  found.shifts.only_after = std::move(only_after);
   if (shortened > 0)
     found.notes.push_back(fmt::format(
         "{} numbers have more replicas on one side: only those that both sides have were compared.", shortened));
@@ -157,16 +173,16 @@ PhysicsChange class_of(const AuditFindings& found, const ClassLimits& limits) {
                                       [](const VerdictFlip& f) { return f.before.green && is_red(f.after); });
   if (turned_red || !found.lost.empty() || !found.broken_identities.empty()) return PhysicsChange::new_physics;
   const bool numbers_equal = found.equal_numbers == found.numbers;
-  if (found.other_trajectories.empty()) {
+  if (found.same_trajectories()) {
     if (numbers_equal && found.other_measurements.empty()) return PhysicsChange::bitwise;
     if (std::max(found.largest_relative, found.largest_relative_sum) <= limits.relative) return PhysicsChange::roundoff;
     // Sums that no claim shows to be harmless: none of them has moved with it.
     return found.within_half_band && !numbers_equal ? PhysicsChange::same_physics : PhysicsChange::new_physics;
   }
-  if (found.shifts.any_named(limits.family_alpha) || found.shifts.global_p < limits.global_alpha)
-    return PhysicsChange::new_physics;
-  return found.first && found.first->event.largest_ulps <= limits.ulps ? PhysicsChange::roundoff
-                                                                       : PhysicsChange::same_physics;
+  if (found.shifts.global_p <= limits.global_alpha || found.shifts.identity_moved()) return PhysicsChange::new_physics;
+  return found.not_compared.empty() && found.first && found.first->event.largest_ulps <= limits.ulps
+             ? PhysicsChange::roundoff
+             : PhysicsChange::same_physics;
 }
 
 }  // namespace gpf

@@ -29,6 +29,9 @@ struct AuditFindings {
   std::vector<std::string> other_trajectories;  ///< those of other trace hashes
   std::vector<std::string> other_measurements;  ///< those of the same trace hash whose measured bits differ
   std::vector<std::string> runs_only_before, runs_only_after;
+  /// Scenes before of which no run has a counterpart, and records that are gone: of these nobody knows whether they go
+  /// other ways.
+  std::vector<std::string> not_compared;
 
   std::size_t numbers = 0, equal_numbers = 0;  ///< checks on both sides; those of the same bits
   Shifts shifts;
@@ -43,6 +46,9 @@ struct AuditFindings {
   bool within_half_band = true;     ///< every mean differs by at most half of the tolerance
   std::vector<std::string> notes;   ///< what else a reader must know
   std::optional<ReplayedDifference> first;
+
+  /// Whether all runs are known to go the same ways.
+  [[nodiscard]] bool same_trajectories() const { return other_trajectories.empty() && not_compared.empty(); }
 };
 
 /// Sees what differs; the replay is left to the caller. Where the numbers of replicas differ those that both sides have
@@ -50,17 +56,17 @@ struct AuditFindings {
 AuditFindings find_differences(const EvidenceSet& before, const EvidenceSet& after);
 
 struct ClassLimits {
-  double ulps = 4096;      ///< of the first differing event, for round-off
-  double relative = 1e-9;  ///< of values from equal trajectories, for round-off
-  double family_alpha = 0.05, global_alpha = 0.01;
+  double ulps = 4096;          ///< of the first differing event, for round-off
+  double relative = 1e-9;      ///< of values from equal trajectories, for round-off
+  double global_alpha = 0.01;  ///< chance that the same physics on other trajectories is taken for a new one
 };
 
 /// bitwise: equal hashes, measured bits and values. On equal trajectories: roundoff up to limits.relative, same physics
 /// up to half of the tolerance (not when only sums differ, of which no claim says how much they may). On others:
 /// roundoff when the first differing event differs by no more than limits.ulps; same physics when it does not, or
-/// cannot be replayed; both only if no number is named as moved and the global p-value is at least global_alpha. New
-/// physics for everything else, for a broken identity, a lost number and a verdict that was green and is now decided
-/// against its expectation.
+/// cannot be replayed; both only if the p-value of "nothing moved" is above global_alpha and no identity has moved.
+/// Where runs could not be compared it is same physics at least. New physics for everything else, for a broken
+/// identity, a lost number and a verdict that was green and is now decided against its expectation.
 PhysicsChange class_of(const AuditFindings& findings, const ClassLimits& limits = {});
 
 /// Half of the tolerance of a number: a quarter of its band, or half of the way from `mean` to the only end that the

@@ -32,7 +32,7 @@ struct EventDifference {
   std::size_t event = 0;        ///< within the epoch, from 1
   TracedContact before, after;  ///< the event on each side
   std::vector<NumberDifference> numbers;
-  double largest_ulps = 0;  ///< over `numbers`; infinite where there is no counterpart
+  double largest_ulps = 0;  ///< over `numbers`; infinite where there is no counterpart, and for Kind::state
 };
 
 /// Number of the first mark that differs; nothing when all that both sides have agree.

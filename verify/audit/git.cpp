@@ -8,9 +8,13 @@
 namespace gpf {
 namespace {
 
-/// All that decides about records and verdicts. The baseline is made of them.
-const std::vector<std::string> paths{
-    "lib", "verify", "CMakeLists.txt", "CMakePresets.json", "reference", ":(exclude)reference/baseline.csv"};
+/// All that decides about records and verdicts, wherever in the repository one is. The baseline is made of them.
+const std::vector<std::string> paths{":(top)lib",
+                                     ":(top)verify",
+                                     ":(top)CMakeLists.txt",
+                                     ":(top)CMakePresets.json",
+                                     ":(top)reference",
+                                     ":(top,exclude)reference/baseline.csv"};
 
 std::vector<std::string> with_paths(std::vector<std::string> arguments) {
   arguments.emplace_back("--");
@@ -35,7 +39,10 @@ std::optional<std::string> git(const std::vector<std::string>& arguments) {
 
 std::string commit_of(const std::string& revision) {
   const auto commit = git({"rev-parse", "--verify", "--quiet", fmt::format("{}^{{commit}}", revision)});
-  if (!commit)
+  const auto is_name = [](const std::string& text) {
+    return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+  };
+  if (!commit || !is_name(*commit))  // "^A" is accepted by git, and names no commit
     throw InputError(fmt::format("'{}' cannot be audited", revision),
                      "it is neither a folder with verdicts/quick/ nor a revision of a git repository here",
                      "give a store that gpf validate filled, a commit, or . for the working tree");

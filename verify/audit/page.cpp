@@ -24,13 +24,17 @@ std::string moved_text(const AuditReport& report) {
   std::vector<std::string> parts;
   if (!f.other_trajectories.empty())
     parts.push_back(fmt::format("{} of {} runs go other ways", f.other_trajectories.size(), f.runs));
+  else if (!f.not_compared.empty())
+    parts.push_back(fmt::format("the {} runs that could be compared are equal", f.runs));
   else if (!f.other_measurements.empty())
     parts.push_back(fmt::format("the trajectories of all {} runs are equal, {} were measured otherwise", f.runs,
                                 f.other_measurements.size()));
   else
     parts.push_back(fmt::format("all {} runs are equal, {} of {} numbers of claims are not", f.runs,
                                 f.numbers - f.equal_numbers, f.numbers));
-  if (!f.other_trajectories.empty()) {
+  if (!f.not_compared.empty())
+    parts.push_back(fmt::format("{} scene(s) or record(s) could not be compared", f.not_compared.size()));
+  if (!f.same_trajectories()) {
     const auto named = moved_numbers(f.shifts);
     if (named.empty()) {
       parts.push_back(fmt::format("no number is named as moved (global p {:.2g})", f.shifts.global_p));
@@ -85,6 +89,7 @@ std::vector<std::string> scenes_of(const std::vector<std::string>& runs) {
 std::string runs_part(const AuditFindings& f) {
   std::string text = list_of("Scenes (runs) of other trajectories", scenes_of(f.other_trajectories), 100);
   text += list_of("Of the same trajectories, measured otherwise", scenes_of(f.other_measurements), 100);
+  text += list_of("Not compared, because no run of it is on both sides", f.not_compared, 100);
   text += list_of("Only before", scenes_of(f.runs_only_before), 100);
   text += list_of("Only after", scenes_of(f.runs_only_after), 100);
   if (!f.other_measurements.empty())

@@ -118,7 +118,7 @@ std::vector<const Shift*> moved_numbers(const Shifts& shifts) {
 
 std::string moved_part(const AuditFindings& f) {
   if (f.equal_numbers == f.numbers) return {};
-  const bool equal_trajectories = f.other_trajectories.empty();
+  const bool equal_trajectories = f.same_trajectories();
   std::string text = "## What moved\n\n";
   if (!equal_trajectories) text += statistics(f.shifts);
   return text + exact_differences(f, equal_trajectories);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
@@ -11,10 +12,13 @@
 namespace gpf {
 namespace {
 
-std::string trace(const std::filesystem::path& program, const std::filesystem::path& scene, const char* option,
+std::filesystem::path scene_of(const ReplayTask& task) { return task.folder / "replay.toml"; }
+
+std::string trace(const ReplayTask& task, const std::filesystem::path& program, const char* option,
                   std::int64_t number) {
   ProcessResult result =
-      run_program({program.string(), "trace", scene.string(), option, fmt::format("{}", number)}, "");
+      run_program({program.string(), "trace", scene_of(task).string(), option, fmt::format("{}", number)}, "");
+  task.between();
   if (result.exit_status != 0)
     throw InputError(fmt::format("{} cannot trace the run", program.string()), result.errors,
                      "compare programs that have the command trace");
@@ -24,10 +28,9 @@ std::string trace(const std::filesystem::path& program, const std::filesystem::p
 }  // namespace
 
 std::optional<EventDifference> replay(const ReplayTask& task) {
-  const std::filesystem::path scene = task.folder / "replay.toml";
-  write_text_atomically(scene, task.scene);
-  const auto before = parse_marks(trace(task.before, scene, "--epochs", task.epochs));
-  const auto after = parse_marks(trace(task.after, scene, "--epochs", task.epochs));
+  write_text_atomically(scene_of(task), task.scene);
+  const auto before = parse_marks(trace(task, task.before, "--epochs", task.epochs));
+  const auto after = parse_marks(trace(task, task.after, "--epochs", task.epochs));
   const auto first = first_differing(before, after);
   if (!first) return std::nullopt;
   const bool other_start = *first == 0;
@@ -35,8 +38,8 @@ std::optional<EventDifference> replay(const ReplayTask& task) {
   // States that differ in bits which no contact has shown yet show in one of the next epochs.
   const std::int64_t last = std::min(begin + 2, task.epochs);
   for (std::int64_t epoch = begin; epoch <= last; ++epoch) {
-    auto event = first_differing(parse_contacts(trace(task.before, scene, "--epoch", epoch)),
-                                 parse_contacts(trace(task.after, scene, "--epoch", epoch)), task.epoch_length);
+    auto event = first_differing(parse_contacts(trace(task, task.before, "--epoch", epoch)),
+                                 parse_contacts(trace(task, task.after, "--epoch", epoch)), task.epoch_length);
     if (!event) continue;
     event->epoch = epoch;
     event->other_start = other_start;
@@ -46,6 +49,7 @@ std::optional<EventDifference> replay(const ReplayTask& task) {
   found.kind = EventDifference::Kind::state;
   found.epoch = begin;
   found.other_start = other_start;
+  found.largest_ulps = INFINITY;  // by how much is not known
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@ struct ReplayTask {
   double epoch_length = 0;
   std::filesystem::path before, after;  ///< programs with the command trace
   std::filesystem::path folder;         ///< for the scene file
+  std::function<void()> between;        ///< called after each program's run: throws to stop
 };
 
 /// The first event that differs; nothing when the programs agree up to the end. Throws InputError when a program cannot

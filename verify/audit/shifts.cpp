@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "gpf/base/error.hpp"
@@ -57,7 +55,11 @@ void judge_identity(Shift& s) {
     const auto [lo_before, hi_before] = std::minmax_element(s.before.values.begin(), s.before.values.end());
     const auto [lo_after, hi_after] = std::minmax_element(s.after.values.begin(), s.after.values.end());
     const auto [smaller, larger] = std::minmax({*lo_after - *lo_before, *hi_after - *hi_before});
-    if (in_band(s.before) != in_band(s.after)) s.moved = Moved::yes;
+    const bool exact = s.before.exact || s.after.exact, both_out = !in_band(s.before) && !in_band(s.after);
+    const double width = std::min(s.before.band.width(), s.after.band.width());
+    const double moved = std::max(std::abs(smaller), std::abs(larger));
+    if (exact ? in_band(s.before) != in_band(s.after) || (both_out && moved > width / 2) : moved > width)
+      s.moved = Moved::yes;
     if (in_band(s.before) && in_band(s.after) && within_margin(s, smaller, larger)) s.moved = Moved::equivalent;
   }
 }
@@ -109,45 +111,29 @@ void judge_statistically(std::vector<Shift*>& tested, const ShiftOptions& option
   }
 }
 
-/// Claim, label, and how many of both came before it.
-using Name = std::tuple<std::string, std::string, int>;
-
-std::vector<Name> names_of(std::span<const ClaimEstimate> estimates) {
-  std::map<std::pair<std::string, std::string>, int> seen;
-  std::vector<Name> names;
-  for (const ClaimEstimate& e : estimates) names.emplace_back(e.claim, e.label, seen[{e.claim, e.label}]++);
-  return names;
-}
-
 }  // namespace
 
+bool Shifts::identity_moved() const {
+  return std::any_of(identities.begin(), identities.end(), [](const Shift& s) { return s.moved == Moved::yes; });
+}
+
 bool Shifts::any_named(double family_alpha) const {
-  const auto named = [&](const Shift& s) { return s.moved == Moved::yes || s.p_adjusted <= family_alpha; };
-  const auto broken = [](const Shift& s) { return s.moved == Moved::yes; };
-  return std::any_of(all.begin(), all.end(), named) || std::any_of(identities.begin(), identities.end(), broken);
+  return identity_moved() ||
+         std::any_of(all.begin(), all.end(), [&](const Shift& s) { return s.p_adjusted <= family_alpha; });
 }
 
 Shifts compare(std::span<const ClaimEstimate> before, std::span<const ClaimEstimate> after,
                const ShiftOptions& options) {
-  const std::vector<Name> names = names_of(before), partners = names_of(after);
-  std::map<Name, std::size_t> places;
-  for (std::size_t k = 0; k < partners.size(); ++k) places.emplace(partners[k], k);
-
+  if (before.size() != after.size())
+    throw InputError("numbers without partners", fmt::format("{} before, {} after", before.size(), after.size()),
+                     "compare those that both sides have");
   Shifts result;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const auto found = places.find(names[k]);
-    if (found == places.end()) {
-      result.only_before.push_back(before[k]);
-      continue;
-    }
     Shift s;
     s.before = before[k];
-    s.after = after[found->second];
-    places.erase(found);
+    s.after = after[k];
     (is_identity(s) ? result.identities : result.all).push_back(std::move(s));
   }
-  for (std::size_t k = 0; k < after.size(); ++k)
-    if (places.contains(partners[k])) result.only_after.push_back(after[k]);
 
   for (Shift& s : result.identities) {
     if (same_bits(s.before.values, s.after.values)) {

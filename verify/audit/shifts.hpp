@@ -42,20 +42,20 @@ struct Shift {
 
 struct ShiftOptions {
   double family_alpha = 0.05;  ///< for naming single numbers: chance that any is named when nothing moved
-  double global_alpha = 0.01;  ///< for the answer to "has anything moved?"
   int permutations = 9999;
   std::uint64_t seed = 1;
 };
 
 struct Shifts {
-  std::vector<Shift> all;                              ///< in the order of `before`
-  std::vector<ClaimEstimate> only_before, only_after;  ///< without a partner of the same claim and label
+  std::vector<Shift> all;  ///< in the order of `before`
   /// Exact checks, and numbers of one value a side (no scatter to measure a shift by), with difference only: `no`: the
-  /// same bits; `yes`: in the band on one side and out of it on the other, or measured on one side only; `equivalent`:
-  /// in the band on both, and smallest and largest value differ by at most half the tolerance; else `unresolved`.
+  /// same bits; `equivalent`: in the band on both sides, and smallest and largest value differ by at most half the
+  /// tolerance; `yes`: measured on one side only; of an exact check in the band on one side only, or out of it on both
+  /// and moved by more than half of its width; of a single value moved by more than the whole band; else `unresolved`.
   std::vector<Shift> identities;
   double global_p = 1;  ///< of "nothing moved", over all statistical numbers
   double critical = 0;  ///< StepDown::critical(family_alpha); 0 when nothing took part
+  [[nodiscard]] bool identity_moved() const;
   [[nodiscard]] bool any_named(double family_alpha = 0.05) const;  ///< a number is named as moved, or an identity
 };
 
@@ -65,12 +65,11 @@ struct Shifts {
 /// sides are Moved::no and take no part.
 ///
 /// The tolerance of a number is half the width of its band, so equivalence takes a 90 % interval (Welch) within +- a
-/// quarter of the width; a band with an open side has no width, and nothing is equivalent in it. The k-th number of a
-/// claim and label is the partner of the k-th on the other side. With a value that is not finite a number is
-/// `unresolved`, without difference (NaN).
+/// quarter of the width; a band with an open side has no width, and nothing is equivalent in it. The k-th number after
+/// is that of the k-th before. With a value that is not finite a number is `unresolved`, without difference (NaN).
 ///
-/// Throws InputError for fewer than two replicas on a side of a statistical number that differs, unless it is one on
-/// both.
+/// Throws InputError for sides of other lengths, and for fewer than two replicas on a side of a statistical number that
+/// differs, unless it is one on both.
 Shifts compare(std::span<const ClaimEstimate> before, std::span<const ClaimEstimate> after,
                const ShiftOptions& options = {});
 

@@ -43,11 +43,14 @@ std::filesystem::path home_of(const Side& side, const SideOptions& options) {
 /// The sources of a commit, or a link to those of the working tree: every side then has the same paths within its
 /// folder, so that ccache knows a file again.
 void provide_tree(const Side& side) {
-  if (std::filesystem::exists(side.tree / "CMakeLists.txt")) return;
   if (side.commit.empty()) {
+    if (std::filesystem::exists(side.tree / "CMakeLists.txt")) return;
     std::filesystem::remove(side.tree);
     return std::filesystem::create_directory_symlink(git({"rev-parse", "--show-toplevel"}).value_or("."), side.tree);
   }
+  // A checkout that was cut short has files, but not all of them.
+  if (std::filesystem::exists(side.tree) && git({"-C", side.tree.string(), "diff", "--quiet", side.commit})) return;
+  std::filesystem::remove_all(side.tree);
   git({"worktree", "prune"});
   if (!git({"worktree", "add", "--detach", "--force", side.tree.string(), side.commit}))
     throw StorageError(fmt::format("cannot check out {} into '{}'", side.commit, side.tree.string()),
@@ -77,12 +80,12 @@ void drop_if_outdated(const Side& side, const std::filesystem::path& home) {
   write_text_atomically(made_with, now);
 }
 
+}  // namespace
+
 void stop_if_asked(const SideOptions& options) {
   if (options.stop != nullptr && *options.stop != 0)
     throw Error(ExitStatus::interrupted, "the audit was stopped", "by a signal", "the same command goes on");
 }
-
-}  // namespace
 
 Side side_named(const std::string& name, const SideOptions& options) {
   Side side;
@@ -134,7 +137,7 @@ void build(const Side& side, const SideOptions& options) {
                                    fmt::format("{}", options.jobs)};
   if (options.rebuild) compile.emplace_back("--clean-first");
   for (const auto& command : {configure, compile}) {
-    const int status = run_child(command, log).exit_status;
+    const int status = run_child(command, log, options.stop).exit_status;
     stop_if_asked(options);
     if (status != 0)
       throw InputError(fmt::format("{} does not build", side.name), end_of(log), fmt::format("see {}", log.string()));
@@ -165,7 +168,7 @@ void fill_store(Side& side, const SideOptions& options) {
   // Verdicts of an earlier audit must not stand for those that this one does not reach.
   for (const std::filesystem::path& old : {done, log, side.store / "verdicts"}) std::filesystem::remove_all(old);
   fmt::print(stderr, "gpf audit: running and judging {} (log in {})\n", side.name, log.string());
-  const int status = run_child(command, log).exit_status;
+  const int status = run_child(command, log, options.stop).exit_status;
   stop_if_asked(options);
   const auto is = [status](ExitStatus s) { return status == static_cast<int>(s); };
   if (is(ExitStatus::interrupted))
@@ -173,11 +176,14 @@ void fill_store(Side& side, const SideOptions& options) {
   if (!is_store(side.store))
     throw InputError(fmt::format("{} has judged nothing", side.name), end_of(log),
                      "audit revisions whose gpf has validate --replicas and trace");
-  if (!is(ExitStatus::success) && !is(ExitStatus::red) && !is(ExitStatus::inconclusive))
+  if (is(ExitStatus::success) || is(ExitStatus::red) || is(ExitStatus::inconclusive))
+    return write_text_atomically(done, question);
+  if (is(ExitStatus::physics))
     side.notes.push_back(
-        fmt::format("{}: a run or a claim failed, with status {}: {}", side.name, status, end_of(log)));
+        fmt::format("{}: the engine refused a run, or a claim could not be judged: {}", side.name, end_of(log)));
   else
-    write_text_atomically(done, question);
+    throw InputError(fmt::format("{} could not be run and judged, status {}", side.name, status), end_of(log),
+                     fmt::format("see {}", log.string()));
 }
 
 }  // namespace gpf

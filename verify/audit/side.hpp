@@ -28,6 +28,9 @@ struct Side {
   [[nodiscard]] bool has_program() const { return !program.empty(); }
 };
 
+/// Throws Error with ExitStatus::interrupted after a signal.
+void stop_if_asked(const SideOptions& options);
+
 /// What `name` stands for: a folder that is a store, the working tree (.), or a revision of the repository in the
 /// current folder. Throws InputError when it is none of these.
 Side side_named(const std::string& name, const SideOptions& options);
@@ -37,8 +40,8 @@ Side side_named(const std::string& name, const SideOptions& options);
 /// build.
 void build(const Side& side, const SideOptions& options);
 
-/// Runs and judges with the revision's own program what its store lacks. Nothing for a store. A run or a claim that
-/// fails is a note of the side. Throws InputError when the program cannot do it at all.
+/// Runs and judges with the revision's own program what its store lacks. Nothing for a store. A run that the engine
+/// refuses is a note of the side. Throws InputError when the program fails otherwise.
 void fill_store(Side& side, const SideOptions& options);
 
 }  // namespace gpf

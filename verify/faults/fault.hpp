@@ -70,6 +70,10 @@ std::span<const Fault> faults();
 /// The fault of that name. Throws InputError that names the nearest.
 const Fault& fault_named(std::string_view name);
 
+/// The largest dose that makes sense: 1 for a part, a probability or a width of the channel, else a hundred times the
+/// fault's own.
+double largest_dose(const Fault& fault);
+
 /// The name as that of a folder.
 std::string folder_of(const Fault& fault);
 

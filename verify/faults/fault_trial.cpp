@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "verify/faults/faulty_simulation.hpp"
+#include "verify/file_lock.hpp"
+#include "verify/planner.hpp"
 #include "verify/simulation_sources.hpp"
 #include "verify/validate.hpp"
 
@@ -25,45 +28,73 @@ std::filesystem::path answers_file(const Fault& fault, double dose, const FaultO
 }
 
 Caught caught_named(const std::string& name) {
-  for (const Caught caught : {Caught::no, Caught::undecided, Caught::yes})
+  for (const Caught caught : {Caught::no, Caught::undecided})
     if (name_of(caught) == name) return caught;
-  throw InputError(fmt::format("unknown answer '{}'", name), "", "remove the folder faults of the store");
+  return Caught::yes;
 }
 
-/// What the store knows; empty when it was found with other sources.
+std::string sources() { return hexadecimal(mix(simulation_sources() ^ judging_sources())); }
+
+/// What a claim is asked: its file, and the scenes that it reads.
+std::uint64_t asked(const Claim& claim, Tier tier, SceneLibrary& scenes) {
+  std::uint64_t hash = claim.text_hash;
+  for (const std::string& name : claim.scenes_in(tier))
+    for (const NamedScene& scene : scenes.of(name))
+      hash = mix(hash ^ hash_text(canonical_text(scene.file.scene, scene.file.run)));
+  return hash;
+}
+
+/// What the store knows; empty when it was found with other sources, or cannot be read.
 FaultTrial known_answers(const Fault& fault, double dose, const FaultOptions& options) {
-  FaultTrial trial{std::string(fault.name), dose, options.tier, {}};
+  const FaultTrial nothing{std::string(fault.name), dose, options.tier, {}};
   const std::filesystem::path path = answers_file(fault, dose, options);
-  if (!std::filesystem::exists(path)) return trial;
-  const Json json = Json::parse(read_text(path), nullptr, false);
-  if (!json.is_object() || json.value("sources", "") != hexadecimal(simulation_sources())) return trial;
-  for (const auto& [claim, answer] : json.at("claims").items())
-    trial.claims[claim] = {caught_named(answer.at("caught")), answer.at("words"), answer.at("claim_hash")};
-  return trial;
+  if (!std::filesystem::exists(path)) return nothing;
+  try {
+    const Json json = Json::parse(read_text(path));
+    if (json.at("sources") != sources() || json.at("dose") != dose) return nothing;
+    FaultTrial trial = nothing;
+    for (const auto& [claim, answer] : json.at("claims").items())
+      trial.claims[claim] = {caught_named(answer.at("caught")), answer.at("words"), answer.at("asked")};
+    return trial;
+  } catch (const Json::exception&) {
+    return nothing;
+  }
 }
 
 void keep_answers(const Fault& fault, const FaultTrial& trial, const FaultOptions& options) {
-  Json json{{"fault", trial.fault}, {"dose", trial.dose}, {"sources", hexadecimal(simulation_sources())}};
+  Json json{{"fault", trial.fault}, {"dose", trial.dose}, {"sources", sources()}};
   for (const auto& [claim, answer] : trial.claims)
-    json["claims"][claim] = {
-        {"caught", name_of(answer.caught)}, {"words", answer.words}, {"claim_hash", answer.claim_hash}};
+    json["claims"][claim] = {{"caught", name_of(answer.caught)}, {"words", answer.words}, {"asked", answer.asked}};
   write_text_atomically(answers_file(fault, trial.dose, options),
                         json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-FaultTrial::Answer answer_of(const Claim& claim, const ValidateResult& result) {
+FaultTrial::Answer answer_of(const Claim& claim, std::uint64_t asked, const ValidateResult& result) {
   for (const Verdict& verdict : result.verdicts)
     if (verdict.claim_id == claim.id) {
       const Caught caught = verdict.green                              ? Caught::no
                             : verdict.outcome == Outcome::inconclusive ? Caught::undecided
                                                                        : Caught::yes;
-      return {caught, verdict.summary, claim.text_hash};
+      return {caught, verdict.summary, asked};
     }
   // It could not be judged: the engine refused to go on, or its records made no sense to the estimator.
   std::string words = "not judged";
   for (const ValidateProblem& problem : result.problems)
     if (problem.what == fmt::format("claim {}", claim.id)) words = problem.why;
-  return {Caught::yes, words, claim.text_hash};
+  return {Caught::yes, words, asked};
+}
+
+ValidateOptions judging(const std::vector<Claim>& claims, const FaultOptions& options) {
+  ValidateOptions validate;
+  validate.tier = options.tier;
+  validate.store = options.store;
+  validate.reference = options.reference;
+  validate.jobs = options.jobs;
+  validate.stop = options.stop;
+  validate.confirm = false;
+  validate.command = {"gpf", "faults"};
+  for (const Claim& claim : claims) validate.claims.push_back(claim.id);
+  return validate;
 }
 
 }  // namespace
@@ -74,31 +105,48 @@ std::string_view name_of(Caught caught) {
 
 std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::vector<Claim>& claims,
                                     const FaultOptions& options) {
+  if (!(dose >= 0 && dose <= largest_dose(fault)))
+    throw InputError(fmt::format("'{}' has no dose {:g}", fault.name, dose),
+                     fmt::format("it counts {}", fault.dose_means),
+                     fmt::format("choose one from 0 to {:g}", largest_dose(fault)));
+  std::error_code ignored;  // the lock says what is wrong
+  std::filesystem::create_directories(folder(fault, options), ignored);
+  const auto lock = FileLock::wait(folder(fault, options) / "lock", options.stop);
+  if (!lock) return std::nullopt;
   FaultTrial trial = known_answers(fault, dose, options);
+  SceneLibrary scenes(options.reference);
   std::vector<Claim> open;
   for (const Claim& claim : claims) {
     const auto known = trial.claims.find(claim.id);
-    if (known == trial.claims.end() || known->second.claim_hash != claim.text_hash) open.push_back(claim);
+    if (known == trial.claims.end() || known->second.asked != asked(claim, options.tier, scenes)) open.push_back(claim);
   }
   if (open.empty()) return trial;
 
-  ValidateOptions validate;
-  validate.tier = options.tier;
+  ValidateOptions validate = judging(open, options);
   validate.store = folder(fault, options) / "records";
-  validate.reference = options.reference;
-  validate.jobs = options.jobs;
-  validate.stop = options.stop;
-  validate.confirm = false;
   validate.run = simulate_with(fault, dose, options.store);
-  validate.command = {"gpf", "faults"};
-  for (const Claim& claim : open) validate.claims.push_back(claim.id);
   std::filesystem::remove_all(validate.store);  // of another dose, or of a run that was stopped
   const ValidateResult result = judge_claims(validate);
   std::filesystem::remove_all(validate.store);
   if (result.stopped) return std::nullopt;
-  for (const Claim& claim : open) trial.claims[claim.id] = answer_of(claim, result);
+  for (const ValidateProblem& problem : result.problems)
+    if (problem.status == ExitStatus::storage)
+      throw StorageError(problem.what, problem.why, "the same command goes on");
+  for (const Claim& claim : open) trial.claims[claim.id] = answer_of(claim, asked(claim, options.tier, scenes), result);
   keep_answers(fault, trial, options);
   return trial;
+}
+
+bool all_green_without_fault(const std::vector<Claim>& claims, const FaultOptions& options) {
+  const ValidateResult result = judge_claims(judging(claims, options));
+  if (result.stopped) return false;
+  const auto refuse = [](const std::string& what, const std::string& why) {
+    throw InputError(what, why, "what is not as expected without a fault catches none: mend it first");
+  };
+  for (const ValidateProblem& problem : result.problems) refuse(problem.what, problem.why);
+  for (const Verdict& verdict : result.verdicts)
+    if (!verdict.green) refuse(fmt::format("claim '{}' is not green", verdict.claim_id), verdict.summary);
+  return true;
 }
 
 std::vector<Claim> claims_with_records(const std::filesystem::path& reference, Tier tier) {

@@ -29,8 +29,8 @@ struct FaultTrial {
   Tier tier = Tier::quick;
   struct Answer {
     Caught caught = Caught::no;
-    std::string words;             ///< the verdict's summary, or what went wrong
-    std::uint64_t claim_hash = 0;  ///< of the claim file that was judged
+    std::string words;        ///< the verdict's summary, or what went wrong
+    std::uint64_t asked = 0;  ///< hash of the claim file that was judged and of the scenes that it reads
   };
   std::map<std::string, Answer> claims;
 };
@@ -42,16 +42,21 @@ struct FaultOptions {
   const volatile std::sig_atomic_t* stop = nullptr;
 };
 
-/// Judges the claims with every run made with the fault. Answers that the store has, of the same claim file, dose and
-/// simulation sources, are taken from there (<store>/faults/<fault>/); records are removed when they have been judged.
-/// Nothing when it was stopped by a signal. Throws as validate().
+/// Judges the claims with every run made with the fault. Answers that the store has, of the same claim file, scenes,
+/// dose and sources, are taken from there (<store>/faults/<fault>/); records are removed when they have been judged.
+/// Nothing when it was stopped by a signal. Throws as validate(), StorageError when a run or verdict could not be
+/// written, and InputError for a dose that is none.
 std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::vector<Claim>& claims,
                                     const FaultOptions& options);
+
+/// Throws InputError unless every claim is as expected when nothing is wrong. Nothing is said of a run that was
+/// stopped: false.
+bool all_green_without_fault(const std::vector<Claim>& claims, const FaultOptions& options);
 
 /// The claims of a tier that read records: the others run the engine themselves, where no fault reaches them.
 std::vector<Claim> claims_with_records(const std::filesystem::path& reference, Tier tier);
 
-/// The smallest dose that a claim catches lies between the two; `missed` is 0 when everything down to a 2^-16th of the
+/// The smallest dose that a claim catches lies between the two; `missed` is 0 when everything down to a 2^-14th of the
 /// fault's dose was caught.
 struct SmallestDose {
   std::string fault, claim;

@@ -159,7 +159,7 @@ void old_velocities(State& sampled, FaultState& state) {
 void upside_down(State& sampled, FaultState& state) {
   for (Vec2& c : sampled.velocity) c.y *= 1 - 2 * state.dose;
 }
-void slow_counted_less(State& sampled, FaultState& state) {
+void faster(State& sampled, FaultState& state) {
   for (Vec2& c : sampled.velocity) c = (1 + state.dose) * c;
 }
 
@@ -272,7 +272,7 @@ constexpr std::array all_faults{
           "all scenes", {.sampled = old_velocities}},
     Fault{"sign of c_y", "measured with the other sign", "part", 1, "channels", {.sampled = upside_down}},
     Fault{"velocities off by 0.5 %", "measured too large", "relative", 0.005, "all scenes",
-          {.sampled = slow_counted_less}},
+          {.sampled = faster}},
     Fault{"fluctuation taken about the wrong mean", "about that of the channel", "part", 1, "channels",
           {.recorded = wrong_mean}},
     Fault{"variance divided by n", "instead of n - 1", "part", 1, "dilute scenes", {.recorded = biased_variance}},
@@ -299,6 +299,12 @@ const Fault& fault_named(std::string_view name) {
   }
   throw InputError(fmt::format("unknown fault '{}'", name), fmt::format("there are {}", fmt::join(names, ", ")),
                    fmt::format("did you mean '{}'?", nearest_word(std::string(name), names)));
+}
+
+double largest_dose(const Fault& fault) {
+  const bool bounded =
+      fault.dose_means.starts_with("part") || fault.dose_means == "probability" || fault.dose_means == "W";
+  return bounded ? 1 : 100 * fault.dose;
 }
 
 std::string folder_of(const Fault& fault) {

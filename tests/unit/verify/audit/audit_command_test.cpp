@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <cstdlib>
 
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/subprocess.hpp"
@@ -100,7 +102,25 @@ BOOST_FIXTURE_TEST_CASE(two_stores_are_compared, SmallSuite) {
   BOOST_TEST(other.exit_status == 1, other.errors);
   BOOST_TEST(other.output.empty());
   BOOST_TEST(contains(read_text(folder / "page.md"), "**rejected**"));
-  BOOST_TEST(audit({one, two}).exit_status == 0);  // nothing was declared
+  BOOST_TEST(audit({one, two}).exit_status == 0);                           // nothing was declared
+  BOOST_TEST(audit({one, two, "--output", "/dev/full"}).exit_status == 4);  // it would be replaced by the page
+  BOOST_TEST(std::filesystem::is_character_file("/dev/full"));
+  // The page is not written, and nobody says that it was.
+  BOOST_TEST(run_program({"sh", "-c",
+                          fmt::format("{} audit {} {} --reference {} > /dev/full", GPF_PROGRAM, one, two,
+                                      folder.path().string())},
+                         "")
+                 .exit_status == 4);
+}
+
+BOOST_FIXTURE_TEST_CASE(runs_that_moved_nowhere_but_are_gone_are_not_called_equal, SmallSuite) {
+  BOOST_REQUIRE(fill("one", "4").exit_status == 0);
+  std::filesystem::copy(folder / "one", folder / "two", std::filesystem::copy_options::recursive);
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "two"))
+    if (entry.path().extension() == ".h5") std::filesystem::remove(entry.path());
+  const ProcessResult audited = audit({(folder / "one").string(), (folder / "two").string(), "--declare", "roundoff"});
+  BOOST_TEST(audited.exit_status == 1, audited.errors);
+  BOOST_TEST(contains(audited.output, "could not be compared"), audited.output);
 }
 
 BOOST_FIXTURE_TEST_CASE(the_replicas_asked_for_are_looked_at_once, SmallSuite) {
@@ -164,6 +184,44 @@ BOOST_FIXTURE_TEST_CASE(revisions_of_equal_sources_are_bitwise_at_once, Reposito
   std::filesystem::create_directories(folder / "lib");
   write_text_atomically(folder / "lib/new.cpp", "a file that git does not know yet\n");
   BOOST_TEST(run({GPF_PROGRAM, "audit", "HEAD", "."}).exit_status == 4);  // there is nothing to build
+  BOOST_TEST(run({"env", "-C", "reference", GPF_PROGRAM, "audit", "HEAD", "."}).exit_status == 4);  // from anywhere
+  BOOST_TEST(run({GPF_PROGRAM, "audit", "^HEAD", "."}).exit_status == 2);
+}
+
+/// A revision whose gpf is a script: what becomes of an audit when its parts fail or take long.
+BOOST_FIXTURE_TEST_CASE(parts_that_fail_or_are_stopped_end_the_audit, Repository) {
+  const std::filesystem::path bin = folder / "bin";
+  std::filesystem::create_directories(bin);
+  const auto script = [](const std::filesystem::path& path, const std::string& text) {
+    write_text_atomically(path, "#!/bin/sh\n" + text);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  };
+  script(bin / "ccache", "exit 1\n");
+  script(bin / "cmake", "exec sleep 30\n");
+  std::filesystem::create_directories(folder / "lib");
+  for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "lib/CMakeLists.txt"})
+    write_text_atomically(folder / file, "one\n");
+  commit(test::made_up_evidence(), "The first");
+  write_text_atomically(folder / "lib/CMakeLists.txt", "two\n");
+  commit(test::made_up_evidence(), "The second");
+  const std::string path = fmt::format("PATH={}:{}", bin.string(), std::getenv("PATH"));
+  const auto began = std::chrono::steady_clock::now();
+  const ProcessResult stopped =
+      run({"env", path, "timeout", "--signal=TERM", "--foreground", "1", GPF_PROGRAM, "audit", "HEAD~1", "HEAD"});
+  BOOST_TEST(stopped.exit_status == 124, stopped.errors);  // that of timeout, which sent the signal
+  BOOST_TEST(contains(stopped.errors, "the audit was stopped"), stopped.errors);
+  BOOST_TEST((std::chrono::steady_clock::now() - began < std::chrono::seconds(15)));  // it does not wait for its child
+
+  // A program that dies of a full disk before it has judged everything.
+  script(bin / "gpf",
+         "for a; do [ \"$p\" = --store ] && store=$a; p=$a; done\n"
+         "mkdir -p $store/verdicts/quick; echo {} > $store/verdicts/quick/one.json; exit 4\n");
+  script(bin / "cmake",
+         "for a; do [ \"$p\" = -B ] && build=$a; p=$a; done\n"
+         "[ -z \"$build\" ] || { mkdir -p $build/verify; cp $(dirname $0)/gpf $build/verify/gpf; }\n");
+  const ProcessResult failed = run({"env", path, GPF_PROGRAM, "audit", "HEAD~1", "HEAD"});
+  BOOST_TEST(failed.exit_status == 2, failed.errors);
+  BOOST_TEST(contains(failed.errors, "could not be run and judged, status 4"), failed.errors);
 }
 
 BOOST_FIXTURE_TEST_CASE(what_cannot_be_audited_is_refused, SmallSuite) {
@@ -172,6 +230,9 @@ BOOST_FIXTURE_TEST_CASE(what_cannot_be_audited_is_refused, SmallSuite) {
                                                     {"no-such-revision", "nor-this"},
                                                     {"a", "b", "--declare", "harmless"},
                                                     {"--write-baseline", "--check-commit"},
+                                                    {"--check-baseline", "a", "b"},
+                                                    {"--check-commit", "--declare", "bitwise"},
+                                                    {"a", "b", "--claims", "eos.viral"},
                                                     {"a", "b", "--replicas", "1"}})
     BOOST_TEST(audit(arguments).exit_status == 2);
 }

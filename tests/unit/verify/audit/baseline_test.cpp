@@ -42,6 +42,25 @@ BOOST_AUTO_TEST_CASE(what_differs_is_said_line_by_line) {
   other.numbers.pop_back();
   BOOST_TEST(baseline_differences(set, other).size() == 2U);
   BOOST_TEST(baseline_differences(other, set).size() == 2U);
+  other = set;
+  other.numbers[0].band.hi = 30;
+  BOOST_TEST(baseline_differences(set, other).size() == 1U);
+  other.numbers[1].exact = false;
+  BOOST_TEST(baseline_differences(set, other).size() == 2U);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_gone_or_has_a_wider_band_must_be_declared) {
+  EvidenceSet set = test::made_up_evidence();
+  set.claims.clear();  // a baseline has none
+  const auto shown = [&](auto&& change) {
+    EvidenceSet other = set;
+    change(other);
+    return least_class(set, other);
+  };
+  BOOST_CHECK(shown([](EvidenceSet& e) { e.numbers.pop_back(); }) == PhysicsChange::same_physics);
+  BOOST_CHECK(shown([](EvidenceSet& e) { e.runs.erase("beta #1"); }) == PhysicsChange::same_physics);
+  BOOST_CHECK(shown([](EvidenceSet& e) { e.numbers[0].band = {-70, 90}; }) == PhysicsChange::same_physics);
+  BOOST_CHECK(shown([](EvidenceSet& e) { e.numbers.push_back(e.numbers[0]); }) == PhysicsChange::bitwise);
 }
 
 BOOST_AUTO_TEST_CASE(a_baseline_shows_the_mildest_class_that_a_change_may_have) {
@@ -70,6 +89,8 @@ BOOST_FIXTURE_TEST_CASE(it_is_made_of_a_store_with_all_claims, test::Suite) {
   BOOST_TEST(set.runs.size() == 8U);
   BOOST_TEST(set.runs.contains("alpha #4"));
   BOOST_TEST(set.numbers.size() == 2U);
+  std::ofstream(options.reference / "claims/algo.two.toml", std::ios::app) << "# edited\n";
+  BOOST_CHECK_THROW(baseline_evidence(options.store, options.reference), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

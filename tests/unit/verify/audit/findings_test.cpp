@@ -42,7 +42,28 @@ BOOST_AUTO_TEST_CASE(runs_on_one_side_only_are_listed_and_no_error) {
   const AuditFindings found = find_differences(before, after);
   BOOST_TEST(found.runs_only_before == std::vector<std::string>{"alpha #1"}, boost::test_tools::per_element());
   BOOST_TEST(found.runs_only_after == std::vector<std::string>{"gamma #1"}, boost::test_tools::per_element());
-  BOOST_CHECK(class_of(found) == PhysicsChange::bitwise);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_compared_is_neither_bitwise_nor_roundoff) {
+  EvidenceSet after = before;
+  after.runs.clear();
+  BOOST_TEST(find_differences(before, after).not_compared.size() == 2U);
+  BOOST_CHECK(class_between(before, after) == PhysicsChange::same_physics);
+  after = before;
+  after.missing_records = {"0123"};
+  BOOST_CHECK(class_between(before, after) == PhysicsChange::same_physics);
+  BOOST_CHECK(class_of(with_first_event(find_differences(before, after), 1)) == PhysicsChange::same_physics);
+  for (double& x : after.numbers[0].values) x += 2.5;
+  BOOST_CHECK(class_between(before, after) == PhysicsChange::new_physics);
+  // A scene that is new, and fewer replicas of an old one, leave nothing uncompared.
+  EvidenceSet more = before;
+  more.runs["alpha #2"] = more.runs["alpha #1"];
+  more.runs["alpha #2"].name = "alpha #2";
+  BOOST_CHECK(class_between(more, before) == PhysicsChange::bitwise);
+  more.runs["gamma #1"] = more.runs["alpha #1"];
+  more.runs["gamma #1"].name = "gamma #1";
+  BOOST_CHECK(class_between(before, more) == PhysicsChange::bitwise);
+  BOOST_CHECK(class_between(more, before) == PhysicsChange::same_physics);
 }
 
 BOOST_AUTO_TEST_CASE(other_trajectories_of_equal_statistics_are_roundoff_or_same_physics_by_the_first_event) {
@@ -101,6 +122,45 @@ BOOST_AUTO_TEST_CASE(sums_that_no_claim_reads_may_differ_by_round_off_only) {
   run.sums[1] *= 1.01;
   const AuditFindings found = find_differences(before, after);
   BOOST_TEST(found.largest_relative_sum > 0.009);
+  BOOST_CHECK(class_of(found) == PhysicsChange::new_physics);
+}
+
+BOOST_AUTO_TEST_CASE(measurements_that_cannot_be_sized_are_no_round_off) {
+  const auto class_with = [](auto&& change) {
+    EvidenceSet after = before;
+    after.runs["alpha #1"].measured = 2;
+    change(after.runs["alpha #1"]);
+    return class_between(before, after);
+  };
+  BOOST_CHECK(class_with([](RunDigest&) {}) == PhysicsChange::new_physics);  // in nothing that is summed up
+  BOOST_CHECK(class_with([](RunDigest& r) { r.sums.pop_back(); }) == PhysicsChange::new_physics);
+  BOOST_CHECK(class_with([](RunDigest& r) { r.sums[0] = NAN; }) == PhysicsChange::new_physics);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_no_longer_measured_is_lost) {
+  EvidenceSet after = test::with_other_trajectories(before);
+  for (double& x : after.numbers[0].values) x = NAN;
+  BOOST_TEST(find_differences(before, after).lost.size() == 1U);
+  BOOST_CHECK(class_between(before, after) == PhysicsChange::new_physics);
+}
+
+BOOST_AUTO_TEST_CASE(a_single_value_of_chance_is_no_identity) {
+  EvidenceSet one = before, after = test::with_other_trajectories(before);
+  one.numbers[1] = {"claim", "so many standard errors", {-1.57}, {-3, 3}, false, false};
+  after.numbers[1] = one.numbers[1];
+  after.numbers[1].values = {3.2};
+  BOOST_TEST(find_differences(one, after).broken_identities.empty());
+  BOOST_CHECK(class_between(one, after) == PhysicsChange::same_physics);
+  after.numbers[1].values = {4.6};
+  BOOST_CHECK(class_between(one, after) == PhysicsChange::new_physics);
+}
+
+BOOST_AUTO_TEST_CASE(one_number_named_among_many_is_not_yet_new_physics) {
+  AuditFindings found = find_differences(before, test::with_other_trajectories(before));
+  found.shifts.global_p = found.shifts.all[0].p_adjusted = 0.03;
+  BOOST_TEST(found.shifts.any_named());
+  BOOST_CHECK(class_of(found) == PhysicsChange::same_physics);
+  found.shifts.global_p = 0.01;
   BOOST_CHECK(class_of(found) == PhysicsChange::new_physics);
 }
 
