@@ -2,18 +2,17 @@
 // fraction, then the thesis' channel. One core; see --help.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "gpf/event/engine.hpp"
 #include "gpf/event/heap_queue.hpp"
 #include "gpf/scene/start.hpp"
-#include "machine_state.hpp"
+#include "performance/bench_scenes.hpp"
+#include "performance/machine_state.hpp"
 
 using namespace gpf;
 using performance::calibration_step;
@@ -80,29 +79,6 @@ class Runner {
   double collisions_ = 0, crossings_ = 0, stale_ = 0, walls_ = 0;
 };
 
-Scene periodic(std::int32_t particles, double area_fraction) {
-  Scene scene;
-  scene.geometry = Geometry::periodic;
-  scene.particles = particles;
-  scene.length_over_width = 1;
-  scene.width_over_diameter = std::sqrt(std::numbers::pi * particles / (4 * area_fraction));
-  return scene;
-}
-
-/// N = 900, W/d = 31, beta_w = 0.9, g = 1 and the default TC time.
-Scene channel(double area_fraction, double normal_restitution) {
-  Scene scene;
-  scene.geometry = Geometry::channel;
-  scene.particles = 900;
-  scene.width_over_diameter = 31;
-  scene.length_over_width = std::numbers::pi * 900 / (4 * area_fraction * 31 * 31);
-  scene.normal_restitution = normal_restitution;
-  scene.wall_tangential_restitution = {0.9, 0.9};
-  scene.gravity = 1;
-  scene.tc_time = 1e-4 / scene.reference_collision_rate();
-  return scene;
-}
-
 void print_head() {
   std::printf("%8s %5s %5s | %9s %9s %9s | %9s %9s | %6s %6s %6s | %s\n", "N", "nu", "e_n", "calendar", "median",
               "10^6/s", "heap", "median", "cross", "stale", "walls", "calibration");
@@ -165,10 +141,10 @@ int main(int count, char** arguments) {
   print_head();
   bool same = true;
   for (const std::int32_t particles : options.sizes)
-    for (const double fraction : options.fractions) same &= bench(periodic(particles, fraction), options);
+    for (const double fraction : options.fractions) same &= bench(performance::periodic(particles, fraction), options);
   if (!options.no_channel)
     for (const double normal_restitution : {0.99, 0.80})
       for (const double fraction : options.channel_fractions)
-        same &= bench(channel(fraction, normal_restitution), options);
+        same &= bench(performance::channel(fraction, normal_restitution), options);
   return same ? 0 : 1;
 }

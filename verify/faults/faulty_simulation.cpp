@@ -1,5 +1,6 @@
 #include "verify/faults/faulty_simulation.hpp"
 
+#include "gpf/base/error.hpp"
 #include "verify/simulation.hpp"
 #include "verify/store.hpp"
 
@@ -35,6 +36,7 @@ class FaultyMeasurement : public Measurement {
   using Measurement::Measurement;
 
   void begin(double time, State state) {
+    energy_at_begin_ = energy(state);
     if (const auto fault = injection.points->sampled) fault(state, injection.state);
     Measurement::begin(time, state);
   }
@@ -46,10 +48,22 @@ class FaultyMeasurement : public Measurement {
     const auto fault = injection.points->seen_wall;
     for (int times = fault ? fault(contact, injection.state) : 1; times > 0; --times) Measurement::on_wall(contact);
   }
+  /// A gas that nothing drives and a fault cools comes to rest: a run that is to last for so many collisions never
+  /// ends.
   void sample(double time, State state) {
+    if (energy(state) < 1e-6 * energy_at_begin_)
+      throw PhysicsError("the disks have come to rest", "the fault takes their energy", "try a smaller dose");
     if (const auto fault = injection.points->sampled) fault(state, injection.state);
     Measurement::sample(time, state);
   }
+
+ private:
+  static double energy(const State& state) {
+    double sum = 0;
+    for (const Vec2 c : state.velocity) sum += dot(c, c);
+    return sum;
+  }
+  double energy_at_begin_ = 0;
 };
 
 }  // namespace

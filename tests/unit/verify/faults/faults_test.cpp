@@ -82,6 +82,21 @@ BOOST_AUTO_TEST_CASE(a_fault_in_the_sums_takes_the_right_record_where_there_is_o
   BOOST_TEST(with(fault_named("velocities off by 0.5 %"), 0.01).time != 12345);
 }
 
+BOOST_AUTO_TEST_CASE(a_gas_that_a_fault_brings_to_rest_is_not_waited_for) {
+  const SceneFile gas = parse_scene(R"([scene]
+geometry = "periodic"
+particles = 64
+area_fraction = 0.6
+length_over_width = 1
+normal_restitution = 1
+[run]
+collisions_per_particle = 100000
+bins = 1
+)",
+                                    "gas.toml");
+  BOOST_CHECK_THROW(simulate_with(fault_named("disks not smooth"), 0.5, folder.path())(gas, {}), PhysicsError);
+}
+
 BOOST_AUTO_TEST_CASE(names_are_known_and_told_apart) {
   std::set<std::string> folders;
   for (const Fault& fault : faults()) {
