@@ -1,11 +1,13 @@
 // The O(1) scheduler: a circular calendar of short unordered lists (Brown, CACM 31 (1988); Paul, J. Comput. Phys. 221
-// (2007)).
+// (2007)), whose later weeks lie in sheaves until they come near.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "gpf/event/contact_time.hpp"
@@ -16,8 +18,10 @@
 
 namespace gpf {
 
-/// One scheduled time per disk. A day holds the events of one stretch of time of about one event; days further ahead
-/// than the calendar is long share its slots and are told apart by their number.
+/// One scheduled time per disk. A day holds the events of one stretch of time of about one event. This week and the
+/// next are near: each of their days has a list. What is scheduled later is written to the end of its week's sheaf, so
+/// that nothing waits for the memory of other disks; it is looked at when the week comes near, and dropped if its disk
+/// has another time by then.
 template <class Meter = NoMeter>
 class BasicCalendarQueue {
  public:
@@ -26,20 +30,29 @@ class BasicCalendarQueue {
   void reset(std::size_t count, double horizon, double events_per_time) {
     horizon_ = horizon;
     days_per_time_ = std::min(events_per_time, 0x1p40 / horizon);
-    const std::size_t slots = std::bit_ceil(std::max<std::size_t>(2 * count, 64));
-    mask_ = static_cast<std::int64_t>(slots) - 1;
+    // Of few disks nearly all events are near; of many, the heads of the near days should stay in near memory.
+    const std::size_t days = count < many ? std::max(2 * count, std::min<std::size_t>(8 * count, 8192)) : 16384;
+    const std::size_t near_days = std::bit_ceil(std::max<std::size_t>(days, 64));
+    mask_ = static_cast<std::int64_t>(near_days) - 1;
+    week_bits_ = std::countr_zero(near_days) - 1;
     first_slot_ = static_cast<Index>(2 * count);
     today_ = foreseen_ = 0;
     last_ = day(horizon);
-    links_.resize(2 * count + slots);
+    near_end_ = static_cast<std::int64_t>(near_days);
+    open_day_ = near_end_ / 2;
+    links_.resize(2 * count + near_days);
     for (std::size_t k = 0; k < links_.size(); ++k) links_[k] = {static_cast<Index>(k), static_cast<Index>(k)};
     for (std::size_t i = 0; i < count; ++i) links_[2 * i + 1] = std::bit_cast<Link>(never);
+    const std::int64_t weeks = std::min((last_ >> week_bits_) + 1, most_sheaves);
+    sheaves_.assign(std::bit_ceil(static_cast<std::size_t>(weeks)), {});
+    chunks_.clear();
+    free_chunk_ = none;
   }
 
   void schedule(Index i, double time) {
     unlink(2 * i);
     at(2 * i + 1) = std::bit_cast<Link>(time);
-    link(2 * i, time <= horizon_ ? slot(std::max(day(time), today_)) : 2 * i);
+    put(i, time);
   }
 
   /// The disk with the earliest time, -1 when nothing is scheduled. Of equal times the disk that comes first:
@@ -47,6 +60,8 @@ class BasicCalendarQueue {
   template <class First>
   [[nodiscard]] Index earliest(First&& first) {
     for (; today_ <= last_; ++today_) {
+      if (today_ == open_day_) [[unlikely]]
+        open_sheaf();
       const Index head = slot(today_);
       Index best = -1;
       double best_time = never;
@@ -54,7 +69,7 @@ class BasicCalendarQueue {
       for (Index entry = at(head).next; entry != head; entry = at(entry).next) {
         Meter::step();
         const Index i = entry / 2;
-        if (day(time(i)) <= today_ && (time(i) < best_time || (time(i) == best_time && best >= 0 && first(i, best)))) {
+        if (time(i) < best_time || (time(i) == best_time && best >= 0 && first(i, best))) {
           best = i;
           best_time = time(i);
         }
@@ -74,7 +89,6 @@ class BasicCalendarQueue {
   template <class Stage>
   void foresee(Stage&& stage) {
     for (; foreseen_ < today_; ++foreseen_) {
-      fetch(&at(slot(foreseen_ + 40)));
       fetch(&at(at(slot(foreseen_ + 32)).next));
       for (int number = 0; number < 4; ++number) {
         const Index head = slot(foreseen_ + 24 - std::int64_t{6} * number);
@@ -82,6 +96,7 @@ class BasicCalendarQueue {
       }
     }
   }
+  void fetch_entry(Index i) { fetch(&at(2 * i)); }
   /// Fetches what the entry of disk i is linked to.
   void fetch_links(Index i) {
     fetch(&at(at(2 * i).next));
@@ -89,16 +104,47 @@ class BasicCalendarQueue {
   }
 
  private:
-  /// The entries of a slot's disks and its head form a ring; an entry that is not scheduled is a ring of its own. Rings
-  /// are linked and unlinked without a branch. The entry of disk i is link 2 i; its time lies beside it, in the place
-  /// of link 2 i + 1.
+  /// The entries of a day's disks and its head form a ring; an entry that is in no day is a ring of its own. Rings are
+  /// linked and unlinked without a branch. The entry of disk i is link 2 i; its time lies beside it, in the place of
+  /// link 2 i + 1.
   struct Link {
     Index next, previous;
   };
+  /// Part of a sheaf: disks, and the times by which they are known to be scheduled still.
+  struct Chunk {
+    struct Entry {
+      double time;
+      Index disk;
+    };
+    static constexpr std::uint32_t room = 31;
+    std::array<Entry, room> entries;
+    Index next;
+  };
+  struct Sheaf {
+    Index chunk = none;                 ///< the one that is being filled; those behind it are full
+    std::uint32_t count = Chunk::room;  ///< of entries in it
+  };
+  static constexpr Index none = -1;
+  static constexpr std::size_t many = 50'000;
+  static constexpr std::int64_t most_sheaves = 4096;
 
   [[nodiscard]] std::int64_t day(double time) const { return static_cast<std::int64_t>(time * days_per_time_); }
   [[nodiscard]] Index slot(std::int64_t day) const { return first_slot_ + static_cast<Index>(day & mask_); }
   Link& at(Index i) { return links_[static_cast<std::size_t>(i)]; }
+  Chunk& chunk_at(Index i) { return chunks_[static_cast<std::size_t>(i)]; }
+  /// Of the week of a day. Weeks share a sheaf when there are very many.
+  Sheaf& sheaf(std::int64_t day) {
+    return sheaves_[static_cast<std::size_t>(day >> week_bits_) & (sheaves_.size() - 1)];
+  }
+
+  void put(Index i, double time) {
+    if (time > horizon_) return;
+    const std::int64_t its_day = std::max(day(time), today_);
+    if (its_day < near_end_)
+      link(2 * i, slot(its_day));
+    else
+      lay_up(i, time, sheaf(its_day));
+  }
 
   void unlink(Index entry) {
     const Link link = at(entry);
@@ -113,10 +159,44 @@ class BasicCalendarQueue {
     at(head).next = entry;
   }
 
+  [[gnu::noinline]] void lay_up(Index i, double time, Sheaf& sheaf) {
+    if (sheaf.count == Chunk::room) {
+      if (free_chunk_ == none) {
+        free_chunk_ = static_cast<Index>(chunks_.size());
+        chunks_.emplace_back().next = none;
+      }
+      const Index chunk = std::exchange(free_chunk_, chunk_at(free_chunk_).next);
+      chunk_at(chunk).next = std::exchange(sheaf.chunk, chunk);
+      sheaf.count = 0;
+    }
+    chunk_at(sheaf.chunk).entries[sheaf.count++] = {time, i};
+  }
+
+  /// With the first day of a week the next one comes near.
+  [[gnu::noinline]] void open_sheaf() {
+    Sheaf open = std::exchange(sheaf(near_end_), {});
+    open_day_ += (mask_ + 1) / 2;
+    near_end_ += (mask_ + 1) / 2;
+    for (; open.chunk != none; open.count = Chunk::room) {
+      const Chunk chunk = chunk_at(open.chunk);
+      chunk_at(open.chunk).next = std::exchange(free_chunk_, open.chunk);
+      open.chunk = chunk.next;
+      for (std::uint32_t k = 0; k < open.count; ++k) fetch(&at(2 * chunk.entries[k].disk));
+      for (std::uint32_t k = 0; k < open.count; ++k) {
+        const auto& [time, i] = chunk.entries[k];
+        if (this->time(i) == time && at(2 * i).next == 2 * i) put(i, time);
+      }
+    }
+  }
+
   double horizon_ = 0, days_per_time_ = 1;
-  std::int64_t mask_ = 0, today_ = 0, last_ = 0, foreseen_ = 0;
+  std::int64_t mask_ = 0, today_ = 0, last_ = 0, near_end_ = 0, open_day_ = 0, foreseen_ = 0;
+  int week_bits_ = 0;
   Index first_slot_ = 0;
-  std::vector<Link, HugePages<Link>> links_;  // entries and times of the disks, then heads of the slots
+  std::vector<Link, HugePages<Link>> links_;  // entries and times of the disks, then heads of the near days
+  std::vector<Sheaf> sheaves_;
+  std::vector<Chunk, HugePages<Chunk>> chunks_;
+  Index free_chunk_ = none;
 };
 using CalendarQueue = BasicCalendarQueue<>;
 

@@ -149,6 +149,7 @@ class Cells {
     const NearCells& near = near_(place.column, place.row, block);
     for (std::size_t k = 0; k < near.count; ++k) fetch(home + near.cells[k].offset);
   }
+  void fetch_cell(const Place& place) const { fetch(&lines_[number(place)]); }
   /// Fetches two disks of each of these cells, whether or not it has so many: that costs less than a branch.
   void fetch_disks(const Place& place, Block block, const Disk* disks) const {
     const CellLine* const home = &lines_[number(place)];

@@ -309,10 +309,20 @@ void Engine<Queue, Physics>::foresee() {
     const Index partner = disk(i).partner;
     if (stage == 1) {
       cells_.fetch_cells(place, block);
-      if (collides) fetch(&plan(partner));
+      if (crosses) {
+        cells_.fetch_cell(plan(i).place);
+        cells_.fetch_cell(place);
+      }
+      if (collides) {
+        fetch(&plan(partner));
+        queue_.fetch_entry(partner);
+      }
     } else if (stage == 2) {
       cells_.fetch_disks(place, block, disks_.data());
-      if (collides) cells_.fetch_cells(plan(partner).place, Block::all);
+      if (collides) {
+        cells_.fetch_cells(plan(partner).place, Block::all);
+        queue_.fetch_links(partner);
+      }
     } else if (collides) {
       cells_.fetch_disks(plan(partner).place, Block::all, disks_.data());
     }

@@ -43,6 +43,7 @@ class BasicHeapQueue {
   /// Foresees nothing: what comes after the earliest is not in order here.
   template <class Stage>
   void foresee(Stage&&) const {}
+  void fetch_entry(Index) const {}
   void fetch_links(Index) const {}
 
  private:

@@ -16,6 +16,12 @@ BOOST_AUTO_TEST_CASE(follows_its_model_whatever_rate_of_events_it_expects) {
     test::queue_follows_its_model<CalendarQueue>(events_per_time);
 }
 
+BOOST_AUTO_TEST_CASE(follows_its_model_with_many_disks_most_of_which_lie_in_sheaves) {
+  test::QueueModel<CalendarQueue> model(60'000, 64, 20'000);
+  for (Index i = 0; i < 60'000; ++i) model.schedule(i, 0.001 * i);
+  model.run(20'000, 5, 2, 0);
+}
+
 BOOST_AUTO_TEST_CASE(without_disks_or_events_it_has_no_earliest) {
   test::queue_without_disks_or_events_has_no_earliest<CalendarQueue>();
 }
