@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "gpf/base/error.hpp"
@@ -90,6 +89,9 @@ int view(Options options) {
   const ViewSource source = load_view_source(options.input, options.start);
   for (const auto* output : {&options.page, &options.svg, &options.movie})
     if (!output->empty()) require_free(*output, options);
+  if ((!options.page.empty() && (options.page == options.svg || options.page == options.movie)) ||
+      (!options.svg.empty() && options.svg == options.movie))
+    throw InputError("two outputs have one name", "one would replace the other", "give each its own");
   if (options.frames.interval == 0) options.frames.interval = default_interval(source.start.state);
   const double bytes = options.frames.count * bytes_per_frame(source.scene, source.run.bins);
   if (!options.page.empty() && bytes > most_page_bytes)

@@ -78,7 +78,7 @@ void Canvas::draw_walls(std::string& pixels) const {
   constexpr int thickness = 2;
   const int bottom = static_cast<int>(margin + scale_);
   for (const int top : {margin - thickness, std::min(bottom + 1, height_ - thickness)})
-    std::fill_n(pixels.begin() + 3 * width_ * top, 3 * width_ * thickness, '\x40');
+    std::fill_n(pixels.begin() + std::ptrdiff_t{3} * width_ * top, std::ptrdiff_t{3} * width_ * thickness, '\x40');
 }
 
 }  // namespace gpf

@@ -4,7 +4,8 @@ set(GPF_VIEW AUTO CACHE STRING
 set_property(CACHE GPF_VIEW PROPERTY STRINGS AUTO ON OFF)
 find_program(GPF_NPM npm)
 if(GPF_VIEW AND NOT GPF_VIEW STREQUAL AUTO AND NOT GPF_NPM)
-  message(FATAL_ERROR "GPF_VIEW is ON and there is no npm: install it (Debian: apt-get install npm), or set GPF_VIEW=OFF")
+  message(FATAL_ERROR "GPF_VIEW is ON and there is no npm: install it (Debian: apt-get install npm), "
+    "or set GPF_VIEW=OFF")
 endif()
 
 set(view ${CMAKE_CURRENT_SOURCE_DIR}/view)

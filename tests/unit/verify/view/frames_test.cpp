@@ -86,6 +86,7 @@ BOOST_AUTO_TEST_CASE(packed_positions_and_velocities_are_within_their_steps) {
   const std::size_t n = state.position.size();
   BOOST_REQUIRE(packed.positions.size() == 2 * n * 4);
   BOOST_REQUIRE(packed.velocities.size() == 2 * n * 2);
+  // Half a step of 2^-16, and a little for round-off.
   for (std::size_t i = 0; i < n; ++i) {
     const double x = (number<std::uint16_t>(packed.positions, i) + 0.5) / 65536 * file.scene.length(),
                  y = (number<std::uint16_t>(packed.positions, n + i) + 0.5) / 65536;
@@ -95,11 +96,11 @@ BOOST_AUTO_TEST_CASE(packed_positions_and_velocities_are_within_their_steps) {
     const double vy = low + number<std::uint8_t>(packed.velocities, n + i) / 255.0 * (high - low);
     BOOST_TEST(std::abs(vy - state.velocity[i].y) < 0.501 * (high - low) / 255);
   }
-  BOOST_TEST(packed.density_modes.size() == 2 * 3 * 3 * sizeof(float));
-  BOOST_TEST(packed.profiles.size() == 2 * 3 * sizeof(float) * static_cast<std::size_t>(file.run.bins));
+  const auto bins = static_cast<std::size_t>(file.run.bins);
+  BOOST_TEST(packed.density_modes.size() == sizeof(float) * 2 * 3 * 3);
+  BOOST_TEST(packed.profiles.size() == sizeof(float) * 2 * 3 * bins);
   double area = 0;  // the mean of the bins is that of the scene
-  for (int b = 0; b < file.run.bins; ++b)
-    area += number<float>(packed.profiles, static_cast<std::size_t>(2 * file.run.bins + b));
+  for (std::size_t b = 0; b < bins; ++b) area += number<float>(packed.profiles, 2 * bins + b);
   BOOST_TEST(std::abs(area / file.run.bins - file.scene.area_fraction()) < 1e-6);
 }
 

@@ -25,7 +25,7 @@ ViewSource hostile_source() {
   ViewSource source;
   source.name = hostile;
   source.record = simulate(file);
-  source.record->build = "{\"commit\": \"</script><b>\", \"</script>\": [\"<\"]}";
+  source.record->build = R"({"commit": "</script><b>", "</script>": ["<"]})";
   source.record->session = hostile;  // not even JSON
   source.scene = file.scene;
   source.run = file.run;

@@ -1,11 +1,11 @@
 // gpf view from the outside: what it writes, refuses and leaves alone.
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <thread>
 
@@ -106,12 +106,13 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_used_is_refused_and_writes_nothing) {
                                                     {"view", record, "--from-snapshot", "2"},
                                                     {"view", record, "--from-snapshot", "1", "--from-start"},
                                                     {"view", record, "--movie", at("flow.avi")},
+                                                    {"view", record, "--svg", at("flow"), "-o", at("flow")},
                                                     {"view", record, "--frames", "1000000"}}) {
     const ProcessResult refused = gpf(arguments);
     BOOST_TEST(refused.exit_status == 2, refused.errors);
     BOOST_TEST(!refused.errors.empty());
   }
-  BOOST_TEST(gpf({"view", at("none.h5")}).exit_status == 4);
+  BOOST_TEST(gpf({"view", at("none.h5"), "--svg", at("none.svg")}).exit_status == 4);
   BOOST_TEST(gpf({"view", record, "-o", folder.path().string()}).exit_status == 2);
   BOOST_TEST(folder.names() == before, boost::test_tools::per_element());
 }
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_signal_leaves_nothing) {
     argv.push_back(nullptr);
     pid_t process = 0;
     BOOST_REQUIRE(::posix_spawn(&process, argv.front(), nullptr, nullptr, argv.data(), environ) == 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     ::kill(process, SIGTERM);
     int status = 0;
     ::waitpid(process, &status, 0);
