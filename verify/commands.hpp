@@ -18,6 +18,7 @@ void add_faults_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
 void add_trial_command(CLI::App& app, int& status);
 void add_trace_command(CLI::App& app, int& status);
+void add_view_command(CLI::App& app, int& status);
 void add_audit_command(CLI::App& app, int& status);
 
 }  // namespace gpf

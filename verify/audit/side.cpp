@@ -115,8 +115,8 @@ void build(const Side& side, const SideOptions& options) {
   std::filesystem::remove(log);
   fmt::print(stderr, "gpf audit: building {} (log in {})\n", side.name, log.string());
   const std::string build_folder = (home / "build").string();
-  std::vector<std::string> configure{"cmake",   "-S", side.tree.string(), "--preset",
-                                     "release", "-B", build_folder,       "-DGPF_BUILD_TESTS=OFF"};
+  std::vector<std::string> configure{"cmake", "-S",         side.tree.string(),      "--preset",      "release",
+                                     "-B",    build_folder, "-DGPF_BUILD_TESTS=OFF", "-DGPF_VIEW=OFF"};
   if (have_ccache()) {
     for (const char* language : {"C", "CXX"})
       configure.push_back(fmt::format("-DCMAKE_{}_COMPILER_LAUNCHER=ccache", language));
