@@ -98,6 +98,16 @@ Run run_of(const KeyValues& values, const Scene& scene) {
     throw values.error({"duration"}, "[run] has no target", "neither duration nor collisions_per_particle is given",
                        "add collisions_per_particle = 1000, or a duration");
 
+  // A gas that nothing heats loses (1 - e_n^2)/2 of its temperature per collision and disk (Haff, J. Fluid Mech. 134
+  // (1983)), so the time in which it collides so often grows exponentially.
+  const double loss = 1 - scene.normal_restitution * scene.normal_restitution;
+  if (collisions && scene.geometry == Geometry::periodic && loss / 4 * *collisions > 20)
+    throw values.error({"collisions_per_particle"},
+                       fmt::format("collisions_per_particle = {} in a gas that cools", *collisions),
+                       fmt::format("with normal_restitution = {} it takes {:.1e} times as long as without losses",
+                                   scene.normal_restitution, std::exp(std::min(loss / 4 * *collisions, 700.0))),
+                       "give a duration instead, or fewer collisions");
+
   Run run;
   run.duration = duration.value_or(0);
   run.collisions_per_particle = collisions.value_or(0);

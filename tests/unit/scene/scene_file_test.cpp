@@ -178,6 +178,18 @@ BOOST_AUTO_TEST_CASE(missing_keys_without_default_are_refused) {
                 {"[run] has no target", "neither duration nor collisions_per_particle", "add collisions_per_particle"});
 }
 
+BOOST_AUTO_TEST_CASE(so_many_collisions_of_a_gas_that_cools_are_refused) {
+  const auto gas = [](double restitution, double collisions) {
+    return fmt::format(
+        "[scene]\ngeometry = \"periodic\"\nparticles = 64\narea_fraction = 0.2\nlength_over_width = 1\n"
+        "normal_restitution = {}\n[run]\ncollisions_per_particle = {}\n",
+        restitution, collisions);
+  };
+  check_refused(gas(0.8, 3000), "8:1", {"in a gas that cools", "give a duration"});
+  BOOST_TEST(parsed(gas(0.8, 200)).run.collisions_per_particle == 200);
+  BOOST_TEST(parsed(gas(1, 1e6)).run.collisions_per_particle == 1e6);
+}
+
 BOOST_AUTO_TEST_CASE(unknown_words_are_told_the_nearest) {
   check_refused(with(channel_text, R"("channel")", R"("chanel")"), "2:12",
                 {"geometry = 'chanel' is unknown", R"("channel" | "periodic")", "did you mean \"channel\"?"});
