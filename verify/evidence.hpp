@@ -35,6 +35,7 @@ struct HealthCheck {
   std::string name;  ///< for example "stationary: first half against second, scene channel-nu30"
   bool passed;
   std::string detail;
+  double chance = 0;  ///< of a failure as large as this one when nothing is wrong; 0 for what holds to round-off
 };
 
 /// A picture that is no plot, for the claim's page.

@@ -53,7 +53,7 @@ int print_answers(const Options& options) {
       const auto at_all = try_fault(fault, fault.dose, claims, options.trial);
       if (!at_all) return static_cast<int>(ExitStatus::interrupted);
       for (const Claim& claim : claims) {
-        if (at_all->claims.at(claim.id).caught != Caught::yes) {
+        if (!is_caught(at_all->claims.at(claim.id).caught)) {
           fmt::print("{}: {} does not catch it at {:.3g} ({})\n", fault.name, claim.id, fault.dose, fault.dose_means);
           continue;
         }
@@ -69,7 +69,7 @@ int print_answers(const Options& options) {
     fmt::print("{} at {:.3g} ({})\n", fault.name, trial->dose, fault.dose_means);
     for (const Claim& claim : claims) {
       const FaultTrial::Answer& answer = trial->claims.at(claim.id);
-      fmt::print("  {:<20} {:<12} {}\n", claim.id, name_of(answer.caught), answer.words);
+      fmt::print("  {:<20} {:<13} {}\n", claim.id, name_of(answer.caught), answer.words);
     }
   }
   return static_cast<int>(ExitStatus::success);

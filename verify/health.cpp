@@ -61,7 +61,8 @@ HealthCheck check_drift(const Fields& fields) {
   const double limit = health_false_alarm_rate / static_cast<double>(tests.size());
   return {name, worst->p >= limit,
           fmt::format("largest of {} |z|: {:.1f}, limit {:.1f} ({})", tests.size(), worst->measured, z_of(limit),
-                      worst->what)};
+                      worst->what),
+          std::min(1.0, static_cast<double>(tests.size()) * worst->p)};
 }
 
 /// Correlation of a block with the next one plus that with the one after it, averaged over the replicas.
@@ -120,7 +121,7 @@ HealthCheck check_block_errors(const Fields& fields) {
   if (least->measured < 0.5 && departs(*least))
     detail += fmt::format("; least: {:.2f} ({}): its runs keep to states of their own, and only the scatter knows",
                           least->measured, least->what);
-  return {name, !failed, detail + explained};
+  return {name, !failed, detail + explained, std::min(1.0, static_cast<double>(tests.size()) * largest->p)};
 }
 
 HealthCheck check_hashes(const SceneRecords& records) {

@@ -22,6 +22,7 @@ constexpr auto estimators = std::to_array<std::pair<std::string_view, Estimator>
      {"overhead", estimate_overhead},
      {"cost", estimate_cost},
      {"energy", estimate_energy},
+     {"cooling", estimate_cooling},
      {"tc", estimate_tc},
      {"lattices", estimate_lattices},
      {"limits_collapse", estimate_limits_collapse},

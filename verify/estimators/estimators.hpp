@@ -13,6 +13,7 @@ Evidence estimate_steady(const Claim& claim, Tier tier, const SceneRecords& reco
 Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_cost(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_cooling(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_tc(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& records);
 

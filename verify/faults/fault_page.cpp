@@ -11,10 +11,12 @@
 namespace gpf {
 namespace {
 
-std::vector<std::string> catchers(const FaultTrial& trial, Caught wanted = Caught::yes) {
+/// The claims that catch it, those that do so by their verdict first.
+std::vector<std::string> catchers(const FaultTrial& trial) {
   std::vector<std::string> ids;
-  for (const auto& [claim, answer] : trial.claims)
-    if (answer.caught == wanted) ids.push_back(claim);
+  for (const Caught how : {Caught::yes, Caught::health})
+    for (const auto& [claim, answer] : trial.claims)
+      if (answer.caught == how) ids.push_back(how == Caught::yes ? claim : fmt::format("{} (health)", claim));
   return ids;
 }
 
@@ -27,6 +29,13 @@ std::string some_of(const std::vector<std::string>& ids) {
   constexpr std::size_t most = 4;
   if (ids.size() <= most) return fmt::format("{}", fmt::join(ids, ", "));
   return fmt::format("{} and {} more", fmt::join(ids.begin(), ids.begin() + most, ", "), ids.size() - most);
+}
+
+const char* colour_of(Caught caught) {
+  return caught == Caught::yes         ? "#b2182b"
+         : caught == Caught::health    ? "#e08214"
+         : caught == Caught::undecided ? "#fee0b6"
+                                       : "#eeeeee";
 }
 
 std::string escaped(std::string_view text) {
@@ -62,7 +71,7 @@ std::string table_of_claims(const FaultMatrix& matrix) {
     std::vector<std::string> caught, unmet;
     for (const FaultTrial& trial : matrix.quick) {
       const auto answer = trial.claims.find(claim.id);
-      const bool yes = answer != trial.claims.end() && answer->second.caught == Caught::yes;
+      const bool yes = answer != trial.claims.end() && is_caught(answer->second.caught);
       const bool stated = std::find(claim.catches.begin(), claim.catches.end(), trial.fault) != claim.catches.end();
       if (yes) caught.push_back(trial.fault);
       if (stated && !yes) unmet.push_back(trial.fault);
@@ -119,19 +128,20 @@ std::string matrix_svg(const FaultMatrix& matrix) {
                            escaped(matrix.claims[c].id));
       const auto answer = matrix.quick[f].claims.find(matrix.claims[c].id);
       const Caught caught = answer == matrix.quick[f].claims.end() ? Caught::no : answer->second.caught;
-      const char* colour = caught == Caught::yes ? "#b2182b" : caught == Caught::undecided ? "#f4a582" : "#eeeeee";
+      const char* colour = colour_of(caught);
       svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", x + 1, y + 1, cell - 2,
                          cell - 2, colour);
     }
   }
   int x = left;
-  for (const auto& [colour, words] :
-       {std::pair{"#b2182b", "caught"}, std::pair{"#f4a582", "inconclusive"}, std::pair{"#eeeeee", "not caught"}}) {
+  for (const auto& [caught, words] :
+       {std::pair{Caught::yes, "caught by the verdict"}, std::pair{Caught::health, "by a health check"},
+        std::pair{Caught::undecided, "inconclusive"}, std::pair{Caught::no, "not caught"}}) {
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n"
         "<text x=\"{}\" y=\"{}\">{}</text>\n",
-        x, height - 26, colour, x + 18, height - 16, words);
-    x += 110;
+        x, height - 26, colour_of(caught), x + 18, height - 16, words);
+    x += 150;
   }
   return svg + "</svg>\n";
 }
@@ -155,15 +165,16 @@ void write_fault_page(const FaultMatrix& matrix, const std::filesystem::path& fo
       "the\n"
       "claims of tier quick are judged as ever. {} of the faults are caught by at least one claim of tier quick{}. A "
       "fault\n"
-      "is caught when a verdict is decided against its expectation, or when a run or an estimator stops with an "
-      "error.\n"
+      "is caught when a verdict is decided against its expectation, when a run or an estimator stops with an error, or "
+      "when\n"
+      "a health check of the claim's runs fails as it would by chance in less than {:g} of cases.\n"
       "With no fault every claim is as expected. All answers: [faults.csv](faults.csv).\n\n"
       "![Matrix of claims and faults](faults.svg)\n\n## Faults\n\n{}\n",
       matrix.quick.size(), matrix.caught_by_quick(),
       missed.empty() ? ", the others by one of tier standard"
                      : fmt::format("; no claim that was tried catches: {}",
                                    markdown_text(fmt::format("{}", fmt::join(missed, ", ")))),
-      table_of_faults(matrix));
+      alarm_chance, table_of_faults(matrix));
   if (!matrix.smallest.empty())
     text += fmt::format(
         "## Smallest doses\n\nBy bisection to a factor 1.2, with the seeds of tier quick: the claim catches the fault "

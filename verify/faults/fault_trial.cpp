@@ -28,7 +28,7 @@ std::filesystem::path answers_file(const Fault& fault, double dose, const FaultO
 }
 
 Caught caught_named(const std::string& name) {
-  for (const Caught caught : {Caught::no, Caught::undecided})
+  for (const Caught caught : {Caught::no, Caught::undecided, Caught::health})
     if (name_of(caught) == name) return caught;
   return Caught::yes;
 }
@@ -72,9 +72,12 @@ void keep_answers(const Fault& fault, const FaultTrial& trial, const FaultOption
 FaultTrial::Answer answer_of(const Claim& claim, std::uint64_t asked, const ValidateResult& result) {
   for (const Verdict& verdict : result.verdicts)
     if (verdict.claim_id == claim.id) {
+      const bool alarm = std::any_of(verdict.health.begin(), verdict.health.end(),
+                                     [](const HealthCheck& h) { return !h.passed && h.chance < alarm_chance; });
       const Caught caught = verdict.green                              ? Caught::no
-                            : verdict.outcome == Outcome::inconclusive ? Caught::undecided
-                                                                       : Caught::yes;
+                            : verdict.outcome != Outcome::inconclusive ? Caught::yes
+                            : alarm                                    ? Caught::health
+                                                                       : Caught::undecided;
       return {caught, verdict.summary, asked};
     }
   // It could not be judged: the engine refused to go on, or its records made no sense to the estimator.
@@ -100,7 +103,17 @@ ValidateOptions judging(const std::vector<Claim>& claims, const FaultOptions& op
 }  // namespace
 
 std::string_view name_of(Caught caught) {
-  return caught == Caught::yes ? "caught" : caught == Caught::undecided ? "inconclusive" : "not";
+  switch (caught) {
+    case Caught::no:
+      return "not";
+    case Caught::undecided:
+      return "inconclusive";
+    case Caught::health:
+      return "health check";
+    case Caught::yes:
+      break;
+  }
+  return "caught";
 }
 
 std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::vector<Claim>& claims,
@@ -159,7 +172,7 @@ std::optional<SmallestDose> smallest_dose(const Fault& fault, const Claim& claim
   const auto catches = [&](double dose) -> std::optional<bool> {
     const auto trial = try_fault(fault, dose, {claim}, options);
     if (!trial) return std::nullopt;
-    return trial->claims.at(claim.id).caught == Caught::yes;
+    return is_caught(trial->claims.at(claim.id).caught);
   };
   SmallestDose result{std::string(fault.name), claim.id, 0, fault.dose};
   const auto at_all = catches(fault.dose);

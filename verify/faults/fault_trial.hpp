@@ -16,9 +16,12 @@ namespace gpf {
 
 enum class Caught {
   no,         ///< the verdict is the expected one, as if nothing were wrong
-  undecided,  ///< the claim needs more data, or one of its health checks fails
+  undecided,  ///< the claim needs more data, or a health check fails as it might by chance
+  health,     ///< a health check fails, by chance less often than alarm_chance
   yes         ///< decided against its expectation; or its runs or its estimator stopped with an error
 };
+inline constexpr double alarm_chance = 1e-5;  ///< with some thousand pairs of claim and fault: none by chance
+constexpr bool is_caught(Caught caught) { return caught >= Caught::health; }
 
 std::string_view name_of(Caught caught);
 

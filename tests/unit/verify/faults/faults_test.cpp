@@ -195,6 +195,11 @@ BOOST_AUTO_TEST_CASE(answers_of_another_scene_dose_or_program_and_damaged_ones_a
   BOOST_TEST(answer() == "caught");
 }
 
+BOOST_AUTO_TEST_CASE(a_failed_budget_of_energy_is_an_alarm) {
+  const auto found = try_fault(fault_named("impulse not along the line of centres"), 0.01, claims(), trial);
+  BOOST_TEST(name_of(found->claims.at("algo.two").caught) == "health check");
+}
+
 BOOST_AUTO_TEST_CASE(a_dose_that_makes_no_sense_is_refused) {
   for (const double dose : {-0.1, 1.5, std::nan(""), 1e300})
     BOOST_CHECK_THROW(try_fault(fault_named("start-up not discarded"), dose, claims(), trial), InputError);
@@ -230,13 +235,14 @@ BOOST_AUTO_TEST_CASE(the_page_shows_who_catches_what) {
   matrix.quick = {{"g off by 2 %", 0.02, Tier::quick, {{"algo.two", made_up(Caught::yes)}}},
                   {"walls exchanged", 1, Tier::quick, {{"algo.two", made_up(Caught::no)}}},
                   {"virial counted once for each disk", 1, Tier::quick, {{"algo.two", made_up(Caught::undecided)}}}};
+  matrix.quick.push_back({"loss counted twice", 1, Tier::quick, {{"algo.two", made_up(Caught::health)}}});
   matrix.standard = {{"walls exchanged", 1, Tier::standard, {{"kn.wall", made_up(Caught::yes)}}}};
-  BOOST_TEST(matrix.caught_by_quick() == 1U);
+  BOOST_TEST(matrix.caught_by_quick() == 2U);
   BOOST_TEST(matrix.missed() == std::vector<std::string>{"virial counted once for each disk"},
              boost::test_tools::per_element());
   write_fault_page(matrix, folder / "pages");
   const std::string page = read_text(folder / "pages/faults.md"), svg = read_text(folder / "pages/faults.svg");
-  BOOST_TEST(page.find("3 faults are put into the physics") != std::string::npos);
+  BOOST_TEST(page.find("4 faults are put into the physics") != std::string::npos);
   BOOST_TEST(page.find("no claim that was tried catches: virial counted once for each disk") != std::string::npos);
   BOOST_TEST(page.find("algo.own") != std::string::npos);
   BOOST_TEST(svg.find("g off by 2 %") != std::string::npos);
@@ -244,6 +250,7 @@ BOOST_AUTO_TEST_CASE(the_page_shows_who_catches_what) {
              "claim,fault,tier,dose,caught\nalgo.two,\"g off by 2 %\",quick,0.02,caught\n"
              "algo.two,\"walls exchanged\",quick,1,not\n"
              "algo.two,\"virial counted once for each disk\",quick,1,inconclusive\n"
+             "algo.two,\"loss counted twice\",quick,1,health check\n"
              "kn.wall,\"walls exchanged\",standard,1,caught\n");
 }
 
