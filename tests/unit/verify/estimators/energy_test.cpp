@@ -53,7 +53,7 @@ Record cooled(double lost, const std::string& more = "") {
 BOOST_AUTO_TEST_CASE(a_gas_that_cools_is_measured_by_its_collisions) {
   SceneRecords records;
   const double right = 0.5 * (1 - 0.81) * 3;
-  records["gas"] = {cooled(right), cooled(1.1 * right)};
+  records["gas"] = {cooled(right, "tc_time = 0\n"), cooled(1.1 * right, "tc_time = 0\n")};
   records["gas with TC"] = {cooled(right * std::exp(-2.37 * 0.02), "tc_time = 0.02\n")};
   const Evidence evidence = estimate_cooling(made_claim(0.02), Tier::quick, records);
   BOOST_TEST(std::abs(evidence.checks.at(0).values.at(0) - 1) < 1e-12);
