@@ -1,10 +1,9 @@
 // algo.cooling: a gas that nothing heats loses what the rule of collision says.
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "gpf/measure/tallies.hpp"
 #include "verify/estimators/estimators.hpp"
+#include "verify/estimators/ratio_checks.hpp"
 #include "verify/estimators/scene_values.hpp"
 
 namespace gpf {
@@ -33,31 +32,12 @@ double loss_ratio(const Record& r) {
 }  // namespace
 
 Evidence estimate_cooling(const Claim& claim, Tier, const SceneRecords& records) {
-  Evidence evidence;
-  const Interval band = band_about(1, claim.tolerance_total());
-  Series points{.label = "each run"};
-  double number = 0;
-  for (const auto& [name, replicas] : records) {
-    Check check{
-        .label = name + ": temperature lost, over that of its collisions", .values = {}, .band = band, .reference = 1};
-    for (const Record& r : replicas) {
-      check.values.push_back(loss_ratio(r));
-      points.x.push_back(++number);
-      points.y.push_back(check.values.back());
-    }
-    evidence.checks.push_back(std::move(check));
-  }
-  const std::vector<double> ends{0, number + 1};
-  evidence.plot = {.title = "Temperature lost by a gas that cools, over what its collisions take",
-                   .xlabel = "run",
-                   .ylabel = "ln(T_0/T) over its expectation",
-                   .xrange = {{ends[0], ends[1]}},
-                   .series = {{.label = "allowed",
-                               .style = SeriesStyle::band,
-                               .x = ends,
-                               .lower = {band.lo, band.lo},
-                               .upper = {band.hi, band.hi}},
-                              points}};
+  RatioChecks ratios(claim);
+  for (const auto& [name, replicas] : records)
+    ratios.add(name + ": temperature lost, over that of its collisions",
+               per_replica(replicas.size(), [&](std::size_t r) { return loss_ratio(replicas[r]); }));
+  Evidence evidence = ratios.evidence("Temperature lost by a gas that cools, over what its collisions take",
+                                      "ln(T_0/T) over its expectation");
   evidence.notes = {
       "Collisions are counted, not predicted: neither the contact value nor the start on a lattice enters.",
       "omega, for the part of collisions that the TC model makes elastic, is the collision rate of a disk over the "

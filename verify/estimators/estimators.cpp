@@ -23,6 +23,8 @@ constexpr auto estimators = std::to_array<std::pair<std::string_view, Estimator>
      {"cost", estimate_cost},
      {"energy", estimate_energy},
      {"cooling", estimate_cooling},
+     {"wall_losses", estimate_wall_losses},
+     {"bin_temperature", estimate_bin_temperature},
      {"tc", estimate_tc},
      {"lattices", estimate_lattices},
      {"limits_collapse", estimate_limits_collapse},

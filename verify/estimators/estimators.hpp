@@ -14,6 +14,8 @@ Evidence estimate_overhead(const Claim& claim, Tier tier, const SceneRecords& re
 Evidence estimate_cost(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_energy(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_cooling(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_wall_losses(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_bin_temperature(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_tc(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_lattices(const Claim& claim, Tier tier, const SceneRecords& records);
 

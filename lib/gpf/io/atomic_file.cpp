@@ -29,6 +29,11 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
     throw StorageError("cannot write " + path.string(), "the folder " + folder.string() + " does not exist",
                        "create it or choose another place");
   }
+  const fs::file_status old = fs::symlink_status(path, ignored);
+  if (fs::is_other(old)) {  // a device or a pipe, which the rename would replace
+    throw StorageError("cannot write " + path.string(), "it is no file but a device, a pipe or a socket",
+                       "name a file");
+  }
   fs::path part = path;
   part += ".part";
   try {

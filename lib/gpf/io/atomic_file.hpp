@@ -12,8 +12,8 @@ namespace gpf {
 /// part, renames it to `path` and fsyncs the folder. A process killed at any moment leaves under `path` what was
 /// there before or the complete new file (and perhaps a .part, which the next write replaces). One writer per path at
 /// a time: two would share the .part.
-/// @throws StorageError with the system's reason when the part cannot be written, synced or renamed. On this or
-/// on an exception from `write` (passed on unchanged) the .part is removed and `path` stays as it was.
+/// @throws StorageError with the system's reason when the part cannot be written, synced or renamed, or when `path` is
+/// a device, a pipe or a socket. On this or on an exception from `write` (passed on unchanged) the .part is removed and `path` stays as it was.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);
 

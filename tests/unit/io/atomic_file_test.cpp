@@ -1,5 +1,6 @@
 #include "gpf/io/atomic_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
@@ -46,6 +47,15 @@ BOOST_AUTO_TEST_CASE(stale_part_is_replaced) {
   gpf::write_text_atomically(folder / "a", "new");
   BOOST_TEST(gpf::read_text(folder / "a") == "new");
   BOOST_TEST(folder.names() == std::vector<std::string>{"a"});
+}
+
+BOOST_AUTO_TEST_CASE(a_pipe_or_a_device_is_not_replaced) {
+  const TemporaryFolder folder;
+  BOOST_TEST_REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  BOOST_CHECK_THROW(gpf::write_text_atomically(folder / "pipe", "text"), StorageError);
+  BOOST_TEST(fs::is_fifo(folder / "pipe"));
+  BOOST_CHECK_THROW(gpf::write_text_atomically("/dev/null", "text"), StorageError);
+  BOOST_TEST(folder.names() == std::vector<std::string>{"pipe"});
 }
 
 BOOST_AUTO_TEST_CASE(relative_path_without_folder) {

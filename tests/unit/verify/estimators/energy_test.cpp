@@ -35,33 +35,6 @@ Record falling(double gain) {
   return record;
 }
 
-/// A gas of 64 disks that has lost `lost` (of ln T) in 3 collisions of each disk and a time 3.
-Record cooled(double lost, const std::string& more = "") {
-  const double begin = 64 * std::exp(lost);  // the state of the start is that of the end here: 64
-  Record record = made_record(
-      "[scene]\ngeometry = \"periodic\"\nparticles = 64\nlength_over_width = 1\narea_fraction = 0.1\n"
-      "normal_restitution = 0.9\n" +
-          more + "[run]\nduration = 3\nbins = 1\n",
-      [&](const SetTally& set) {
-        set(Tally::measured_time, 0, 3);
-        set(Tally::pair_contacts, 0, 3 * 64 / 2);
-        set(Tally::energy_change, 0, 64 - begin);
-      });
-  return record;
-}
-
-BOOST_AUTO_TEST_CASE(a_gas_that_cools_is_measured_by_its_collisions) {
-  SceneRecords records;
-  const double right = 0.5 * (1 - 0.81) * 3;
-  records["gas"] = {cooled(right, "tc_time = 0\n"), cooled(1.1 * right, "tc_time = 0\n")};
-  records["gas with TC"] = {cooled(right * std::exp(-2.37 * 0.02), "tc_time = 0.02\n")};
-  const Evidence evidence = estimate_cooling(made_claim(0.02), Tier::quick, records);
-  BOOST_TEST(std::abs(evidence.checks.at(0).values.at(0) - 1) < 1e-12);
-  BOOST_TEST(std::abs(evidence.checks.at(0).values.at(1) - 1.1) < 1e-12);
-  BOOST_TEST(std::abs(evidence.checks.at(1).values.at(0) - 1) < 1e-12);
-  BOOST_TEST(evidence.checks.at(0).band.hi == 1.02);
-}
-
 BOOST_AUTO_TEST_CASE(states_that_conserve_pass) {
   SceneRecords records;
   records["box"] = {resting()};
