@@ -1,11 +1,12 @@
 // Nanoseconds of CPU time per pair collision, calendar and heap side by side: elastic periodic disks against N and area
 // fraction, then the thesis' channel. One core; see --help.
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <limits>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "gpf/event/engine.hpp"
@@ -13,10 +14,12 @@
 #include "gpf/scene/start.hpp"
 #include "performance/bench_scenes.hpp"
 #include "performance/machine_state.hpp"
+#include "performance/speed_page.hpp"
 
 using namespace gpf;
 using performance::calibration_step;
 using performance::cpu_nanoseconds;
+using performance::SpeedRow;
 
 namespace {
 
@@ -28,7 +31,14 @@ struct Options {
   double collisions = 1e6;    ///< per repeat
   int repeats = 5;
   bool full = false, no_channel = false;
+  std::string page;  ///< folder
 };
+
+/// What is allocated now, in bytes.
+double allocated() {
+  const auto info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
 
 /// One engine, advanced a stretch at a time.
 template <class Queue>
@@ -80,15 +90,17 @@ class Runner {
 };
 
 void print_head() {
-  std::printf("%8s %5s %5s | %9s %9s %9s | %9s %9s | %6s %6s %6s | %s\n", "N", "nu", "e_n", "calendar", "median",
-              "10^6/s", "heap", "median", "cross", "stale", "walls", "calibration");
+  std::printf("%8s %5s %5s | %9s %9s %9s | %9s %9s | %6s %6s %6s | %5s | %s\n", "N", "nu", "e_n", "calendar", "median",
+              "10^6/s", "heap", "median", "cross", "stale", "walls", "bytes", "calibration");
 }
 
-/// Both queues in turn, so that a slow spell of the machine meets both. Returns false if they differ in a bit.
-bool bench(const Scene& scene, const Options& options) {
+/// Both queues in turn, so that a slow spell of the machine meets both. Exits with 1 if they differ in a bit.
+SpeedRow bench(const Scene& scene, const Options& options) {
+  const double before = allocated();
   Runner<CalendarQueue> calendar(scene);
-  Runner<HeapQueue> heap(scene);
   calendar.run(options.equilibration * scene.particles / 2);
+  const double bytes = (allocated() - before) / scene.particles;
+  Runner<HeapQueue> heap(scene);
   heap.run(options.equilibration * scene.particles / 2);
   double calibration = std::numeric_limits<double>::infinity();
   for (int k = 0; k < options.repeats; ++k) {
@@ -96,14 +108,16 @@ bool bench(const Scene& scene, const Options& options) {
     calendar.measure(options.collisions);
     heap.measure(options.collisions);
   }
-  std::printf("%8d %5.2f %5.2f | %9.1f %9.1f %9.2f | %9.1f %9.1f | %6.2f %6.2f %6.3f | %.2f\n", scene.particles,
+  std::printf("%8d %5.2f %5.2f | %9.1f %9.1f %9.2f | %9.1f %9.1f | %6.2f %6.2f %6.3f | %5.0f | %.2f\n", scene.particles,
               scene.area_fraction(), scene.normal_restitution, calendar.best(), calendar.median(),
               1e3 / calendar.best(), heap.best(), heap.median(), calendar.crossings(), calendar.stale(),
-              calendar.walls(), calibration);
+              calendar.walls(), bytes, calibration);
   std::fflush(stdout);
-  if (calendar.trace_hash() == heap.trace_hash()) return true;
-  std::printf("calendar and heap went different ways\n");
-  return false;
+  if (calendar.trace_hash() != heap.trace_hash()) {
+    std::printf("calendar and heap went different ways\n");
+    std::exit(1);
+  }
+  return {scene, calendar.best(), calendar.median(), heap.best(), calendar.crossings(), bytes, calibration};
 }
 
 Options parse(int count, char** arguments) {
@@ -121,6 +135,8 @@ Options parse(int count, char** arguments) {
       ->check(CLI::PositiveNumber);
   app.add_flag("--full", options.full, "Add N = 10^6");
   app.add_flag("--no-channel", options.no_channel, "Leave the channel out");
+  app.add_option("--page", options.page, "Folder for the page speed.md with its picture and data")
+      ->check(CLI::ExistingDirectory);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -135,16 +151,17 @@ Options parse(int count, char** arguments) {
 int main(int count, char** arguments) {
   const Options options = parse(count, arguments);
   std::printf(
-      "nanoseconds of CPU time per pair collision, best and median of %d; events per collision; calibration: "
-      "nanoseconds per step of a fixed loop\n",
+      "nanoseconds of CPU time per pair collision, best and median of %d; events per collision; bytes per disk; "
+      "calibration: nanoseconds per step of a fixed loop\n",
       options.repeats);
   print_head();
-  bool same = true;
+  std::vector<SpeedRow> rows;
   for (const std::int32_t particles : options.sizes)
-    for (const double fraction : options.fractions) same &= bench(performance::periodic(particles, fraction), options);
+    for (const double fraction : options.fractions)
+      rows.push_back(bench(performance::periodic(particles, fraction), options));
   if (!options.no_channel)
     for (const double normal_restitution : {0.99, 0.80})
       for (const double fraction : options.channel_fractions)
-        same &= bench(performance::channel(fraction, normal_restitution), options);
-  return same ? 0 : 1;
+        rows.push_back(bench(performance::channel(fraction, normal_restitution), options));
+  if (!options.page.empty()) performance::write_speed_page(rows, options.repeats, options.page);
 }
