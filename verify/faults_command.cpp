@@ -75,27 +75,16 @@ int print_answers(const Options& options) {
   return static_cast<int>(ExitStatus::success);
 }
 
-/// What reference/faults.toml asks for besides the matrix of tier quick.
-struct Wanted {
-  std::vector<std::pair<const Fault*, std::vector<Claim>>> standard;
-  std::vector<std::pair<const Fault*, Claim>> smallest;
-};
-
-Wanted read_wanted(const FaultOptions& options, const std::vector<Claim>& quick_claims) {
-  constexpr std::array<std::string_view, 2> file_keys{"standard", "smallest"};
-  constexpr std::array<std::string_view, 2> standard_keys{"fault", "claims"}, smallest_keys{"fault", "claim"};
+/// Whose smallest doses reference/faults.toml asks for.
+std::vector<std::pair<const Fault*, Claim>> read_wanted(const FaultOptions& options, const std::vector<Claim>& claims) {
+  constexpr std::array<std::string_view, 1> file_keys{"smallest"};
+  constexpr std::array<std::string_view, 2> keys{"fault", "claim"};
   const std::string path = (options.reference / "faults.toml").string();
   const TomlTable tree = read_toml(read_text(path), path);
   const TomlFields file(tree, {}, "", path, file_keys);
-  const std::vector<Claim> standard_claims = claims_with_records(options.reference, Tier::standard);
-  Wanted wanted;
-  for (const TomlFields& table : file.tables("standard", "[[standard]]", standard_keys)) {
-    wanted.standard.push_back({&fault_named(table.text("fault")), {}});
-    for (const std::string& id : table.texts("claims"))
-      wanted.standard.back().second.push_back(claim_named(standard_claims, id));
-  }
-  for (const TomlFields& table : file.tables("smallest", "[[smallest]]", smallest_keys))
-    wanted.smallest.emplace_back(&fault_named(table.text("fault")), claim_named(quick_claims, table.text("claim")));
+  std::vector<std::pair<const Fault*, Claim>> wanted;
+  for (const TomlFields& table : file.tables("smallest", "[[smallest]]", keys))
+    wanted.emplace_back(&fault_named(table.text("fault")), claim_named(claims, table.text("claim")));
   return wanted;
 }
 
@@ -104,27 +93,19 @@ int make_matrix(const Options& options) {
   const auto stopped = static_cast<int>(ExitStatus::interrupted);
   FaultMatrix matrix;
   matrix.claims = claims_with_records(options.trial.reference, Tier::quick);
-  const Wanted wanted = read_wanted(options.trial, matrix.claims);
+  const auto wanted = read_wanted(options.trial, matrix.claims);
   require_writable_folder(options.output);
   for (const Claim& claim : load_claims(options.trial.reference / "claims"))
     if (claim.judged_in(Tier::quick) && claim.scenes_in(Tier::quick).empty()) matrix.others.push_back(claim.id);
   fmt::print(stderr, "no fault\n");
   if (!all_green_without_fault(matrix.claims, options.trial)) return stopped;
   for (const Fault& fault : faults()) {
-    fmt::print(stderr, "fault {} of {}: {}\n", matrix.quick.size() + 1, faults().size(), fault.name);
+    fmt::print(stderr, "fault {} of {}: {}\n", matrix.trials.size() + 1, faults().size(), fault.name);
     const auto trial = try_fault(fault, fault.dose, matrix.claims, options.trial);
     if (!trial) return stopped;
-    matrix.quick.push_back(*trial);
+    matrix.trials.push_back(*trial);
   }
-  FaultOptions standard = options.trial;
-  standard.tier = Tier::standard;
-  for (const auto& [fault, claims] : wanted.standard) {
-    fmt::print(stderr, "tier standard: {}\n", fault->name);
-    const auto trial = try_fault(*fault, fault->dose, claims, standard);
-    if (!trial) return stopped;
-    matrix.standard.push_back(*trial);
-  }
-  for (const auto& [fault, claim] : wanted.smallest) {
+  for (const auto& [fault, claim] : wanted) {
     fmt::print(stderr, "smallest dose: {}\n", fault->name);
     const auto found = smallest_dose(*fault, claim, options.trial);
     if (!found) return stopped;

@@ -9,20 +9,18 @@
 
 namespace gpf {
 
-/// What was tried. `standard` may hold fewer faults and claims than `quick`.
+/// What was tried, in tier quick.
 struct FaultMatrix {
-  std::vector<FaultTrial> quick, standard;
+  std::vector<FaultTrial> trials;
   std::vector<SmallestDose> smallest;
-  std::vector<Claim> claims;        ///< of tier quick, that read records
-  std::vector<std::string> others;  ///< ids of those of tier quick that do not
+  std::vector<Claim> claims;        ///< that read records
+  std::vector<std::string> others;  ///< ids of those that do not
 
-  /// How many of the faults at least one claim of tier quick catches.
-  [[nodiscard]] std::size_t caught_by_quick() const;
-  /// Those that neither tier catches.
+  /// Faults that no claim catches.
   [[nodiscard]] std::vector<std::string> missed() const;
 };
 
-/// The matrix of tier quick as an SVG document: a row for each claim, a column for each fault.
+/// The matrix as an SVG document: a row for each claim, a column for each fault.
 std::string matrix_svg(const FaultMatrix& matrix);
 
 /// claim,fault,tier,dose,caught
