@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string_view>
+#include <system_error>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
@@ -118,9 +121,7 @@ class Site {
       convert(page);
     }
     for (const std::string& file : files_) put(file, read_text(source_of(file)));
-    const fs::path index = options_.output / "index.html";
-    write_text_atomically(index, framed("index.html", "gpf", index_body()));
-    return index;
+    return put("index.html", framed("index.html", "gpf", index_body()));
   }
 
  private:
@@ -153,11 +154,18 @@ class Site {
     put(html_name(page), framed(page, without_tags(titles_[page]), body));
   }
 
-  void put(const std::string& file, const std::string& text) const {
-    const fs::path path = options_.output / file;
+  /// A site is soon made again: hundreds of files are not worth the wait for each to be safe on the disk.
+  fs::path put(const std::string& file, const std::string& text) const {
+    fs::path path = options_.output / file;
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);  // what follows tells when it is not there
-    write_text_atomically(path, text);
+    std::ofstream stream(path, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+      throw StorageError(fmt::format("cannot write '{}'", path.string()), std::generic_category().message(errno),
+                         "make room, or choose another folder with --html");
+    return path;
   }
 
   /// cmark-gfm escapes every quote in texts, so that these attributes are its own.

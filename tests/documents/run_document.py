@@ -23,8 +23,6 @@ import shutil
 import subprocess
 import sys
 
-TIME_LIMIT = 120  # seconds, for a command
-
 
 class Failure(Exception):
     pass
@@ -147,12 +145,13 @@ class Reader:
         self.ran = self.skipped = self.written = self.compared = 0
         shutil.rmtree(scratch, ignore_errors=True)
         self.folder.mkdir(parents=True)
-        for part in ("reference", "reports"):
-            shutil.copytree(source / part, self.folder / part)
-        for part in ("README.md", "CHANGELOG.md", "CMakeLists.txt", "LICENSE"):
-            shutil.copy(source / part, self.folder / part)
-        for part in ("lib", "verify", "tests"):
-            (self.folder / part).symlink_to(source / part)
+        for path in source.iterdir():  # a copy of what a command may write to, links to the rest
+            if path.is_file():
+                shutil.copy(path, self.folder)
+            elif path.name in ("reference", "reports"):
+                shutil.copytree(path, self.folder / path.name)
+            elif path.name in (".ci", ".github", "lib", "tests", "verify"):
+                (self.folder / path.name).symlink_to(path)
         (self.folder / "build").mkdir()
         (self.folder / "build" / "release").symlink_to(build)
         self.environment = dict(os.environ, PATH=f"{build / 'verify'}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
@@ -163,7 +162,7 @@ class Reader:
         """Exit status and output. The folder and the variables are those that the command before left."""
         script = f". '{self.state}'\n{command}\nstatus=$?\n{{ export -p; echo \"cd '$PWD'\"; }} > '{self.state}'\nexit $status"
         done = subprocess.run(["bash", "-c", script], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, env=self.environment, timeout=TIME_LIMIT, check=False)
+                              stderr=subprocess.STDOUT, env=self.environment, check=False)
         return done.returncode, done.stdout.decode(errors="replace")
 
     def follow(self, block):
