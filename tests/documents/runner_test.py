@@ -1,10 +1,11 @@
-"""The runner of documents must be able to fail. usage: runner_test.py SOURCE BUILD SCRATCH"""
+"""The runner of documents must be able to fail. usage: runner_test.py SCRATCH"""
 import pathlib
 import sys
 
 import run_document
 
-SOURCE, BUILD, SCRATCH = sys.argv[1:4]
+SCRATCH = pathlib.Path(sys.argv[1])
+SOURCE = SCRATCH / "source"  # stands for the repository
 GOOD = """A file `a/b.toml`:
 
 ```toml
@@ -41,10 +42,10 @@ $ echo done
 done
 ```
 
-Part of `tests/documents/runner_test.py`:
+Part of `tests/part.py`:
 
 ```python
-SOURCE, BUILD, SCRATCH = sys.argv[1:4]
+b = 2
 ```
 
 ```text
@@ -70,12 +71,15 @@ BAD = {
 
 
 def follow(text):
-    document = pathlib.Path(SCRATCH + ".md")
+    document = SCRATCH / "document.md"
     document.write_text(text)
-    return run_document.follow(document, SOURCE, BUILD, SCRATCH)
+    return run_document.follow(document, SOURCE, SCRATCH, SCRATCH / "run")
 
 
-pathlib.Path(SCRATCH).parent.mkdir(parents=True, exist_ok=True)
+for part in ("reference", "reports", "tests"):
+    (SOURCE / part).mkdir(parents=True, exist_ok=True)
+(SOURCE / "README.md").write_text("a readme\n")
+(SOURCE / "tests" / "part.py").write_text("a = 1\nb = 2\nc = 3\n")
 reader = follow(GOOD)
 counts = (reader.ran, reader.skipped, reader.written, reader.compared)
 if counts != (6, 2, 1, 1):
