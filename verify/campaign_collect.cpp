@@ -11,6 +11,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/markdown.hpp"
 #include "gpf/io/snapshot.hpp"
+#include "verify/csv.hpp"
 #include "verify/estimators/scene_values.hpp"
 
 namespace gpf {
@@ -68,18 +69,6 @@ DrawnAxis drawn(const CampaignAxis& axis) {
   DrawnAxis order{fmt::format("{}: {}", axis.key, fmt::join(axis.texts, ", ")), {}};
   for (std::size_t k = 0; k < axis.texts.size(); ++k) order.numbers.push_back(static_cast<double>(k + 1));
   return order;
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
-}
-
-std::string csv_line(std::vector<std::string> cells) {
-  for (std::string& cell : cells) cell = csv_cell(cell);
-  return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 }  // namespace
@@ -173,7 +162,7 @@ std::string phase_csv(const Campaign& campaign, const std::vector<PointResult>& 
   for (std::size_t p = 0; p < results.size(); ++p) {
     std::vector<std::string> row = row_of(campaign, p, results[p]);
     row.resize(header_of(campaign).size());
-    text += csv_line(std::move(row));
+    text += csv_line(row);
   }
   return text;
 }

@@ -230,7 +230,8 @@ std::filesystem::path collect_campaign(const CampaignFolder& folder) {
       "most "
       "replicas, with a\nquestion mark where it is not sure at 95 % that more than half of all replicas have it.\n\n{}",
       campaign.title, open > 0 ? fmt::format("{} run(s) are missing.\n\n", open) : "",
-      drawn ? "![Phase diagram](phase.svg)\n\n" : "", phase_table(campaign, results));
+      drawn ? "![Phase diagram](phase.svg)\n\n[Data of all points](phase.csv)\n\n" : "",
+      phase_table(campaign, results));
   write_text_atomically(folder.file("phase.md"), page);
   if (const std::string pictures = draw_snapshots(campaign, manifest, store, folder.file("snapshots"));
       !pictures.empty())

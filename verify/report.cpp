@@ -9,6 +9,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/plot.hpp"
 #include "gpf/io/provenance.hpp"
+#include "verify/plot_files.hpp"
 #include "verify/report_claim_page.hpp"
 #include "verify/report_errata.hpp"
 #include "verify/report_front_page.hpp"
@@ -94,7 +95,9 @@ class ReportWriter {
       if (entry.path().extension() == ".md" && read_text(entry.path()).starts_with(page_marker))
         ids.push_back(entry.path().stem().string());
     for (const std::string& id : ids) {
-      std::vector<std::string> names{"claims/" + id + ".md", "claims/" + id + ".svg", "checks/" + id + ".svg"};
+      std::vector<std::string> names{"claims/" + id + ".md"};
+      for (const char* folder : {"claims/", "checks/"})
+        for (const char* extension : {".svg", ".csv"}) names.push_back(folder + id + extension);
       for (int k = 1; fs::exists(output_ / fmt::format("claims/{}+{}.svg", id, k)); ++k)
         names.push_back(fmt::format("claims/{}+{}.svg", id, k));  // '+' is in no id
       for (const std::string& name : names)
@@ -104,13 +107,15 @@ class ReportWriter {
       const fs::path page = output_ / name;
       if (!written_.contains(name) && fs::exists(page) && read_text(page).starts_with(page_marker)) fs::remove(page);
     }
-    if (!written_.contains("bias-and-scatter.svg")) fs::remove(output_ / "bias-and-scatter.svg");
+    for (const char* name : {"bias-and-scatter.svg", "bias-and-scatter.csv"})
+      if (!written_.contains(name)) fs::remove(output_ / name);
   }
 
  private:
   std::string draw(const Plot& plot, const std::string& name) {
-    write_svg(plot, output_ / name);
+    write_plot(plot, output_ / name);
     written_.insert(name);
+    written_.insert(data_file_of(name));
     return name;
   }
 

@@ -23,6 +23,7 @@ struct ReportOptions {
 ///   <output>/limits.md                         where methods fail, when claims limits.* are among them
 ///   <output>/claims/<id>.md, <id>.svg            a page per claim, and the claim's own plot
 ///   <output>/checks/<id>.svg                     its checks against their bands
+///   NAME.csv beside each NAME.svg that is a plot  its numbers
 ///   <output>/history/<version>.csv               for a release
 /// and removes pages of an earlier report whose claim is gone, with their pictures. Runs no physics; equal verdicts and
 /// records give equal bytes. Returns the path of the front page.

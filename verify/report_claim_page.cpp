@@ -7,6 +7,7 @@
 
 #include "gpf/io/markdown.hpp"
 #include "verify/duration_text.hpp"
+#include "verify/plot_files.hpp"
 #include "verify/report_check.hpp"
 #include "verify/report_markdown.hpp"
 #include "verify/verdict_summary.hpp"
@@ -149,9 +150,10 @@ std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
   const auto& [claim, verdict] = judged;
   std::string text = page_marker + head(claim, verdict);
   if (!pictures.checks.empty())
-    text += section("Value, interval and band",
-                    fmt::format("![checks of {}]({})\n\n{}\n", claim.id, pictures.checks, pictures.checks_caption));
-  if (!pictures.plot.empty()) text += section("Plot", fmt::format("![{}]({})\n", claim.id, pictures.plot));
+    text += section(
+        "Value, interval and band",
+        fmt::format("{}\n{}\n", plot_markdown("checks of " + claim.id, pictures.checks), pictures.checks_caption));
+  if (!pictures.plot.empty()) text += section("Plot", plot_markdown(claim.id, pictures.plot));
   if (!pictures.drawings.empty()) text += section("Snapshots", drawings_text(judged.verdict, pictures));
   text += section("Checks", checks_text(verdict));
   text += section("Tolerance budget", budget_text(claim, verdict));

@@ -8,6 +8,7 @@
 
 #include "gpf/io/markdown.hpp"
 #include "verify/duration_text.hpp"
+#include "verify/plot_files.hpp"
 #include "verify/report_check.hpp"
 #include "verify/report_claim_page.hpp"
 #include "verify/report_limits.hpp"
@@ -163,10 +164,10 @@ std::string front_page(const ReportData& data, const std::string& picture, const
       "that reads them.\n";
   if (!picture.empty())
     text += fmt::format(
-        "\n## Bias and scatter\n\n![bias and scatter of all claims]({})\n\n"
+        "\n## Bias and scatter\n\n{}\n"
         "Each point is a check, in half widths of its band around the band's centre; the bar is its "
         "confidence interval.\nA claim passes when all its bars lie in the shaded band.{}\n",
-        picture, picture_caption);
+        plot_markdown("bias and scatter of all claims", picture), picture_caption);
   return text + departures(data) + limits_link(data) + errata_link(data) + runs_table(data) + reproduction(data) +
          provenance(data);
 }

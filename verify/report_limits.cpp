@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "verify/plot_files.hpp"
 #include "verify/report_claim_page.hpp"
 #include "verify/report_markdown.hpp"
 #include "verify/verdict_summary.hpp"
@@ -40,7 +41,7 @@ std::string limits_page(const ReportData& data, const std::set<std::string>& plo
                                markdown_text(claim.statement), claim.id, claim.id, verdict_text_of(verdict),
                                markdown_text(verdict.summary));
         if (plots.contains(claim.id))
-          section += fmt::format("![{}](claims/{}.svg)\n\n", markdown_text(claim.title), claim.id);
+          section += plot_markdown(markdown_text(claim.title), fmt::format("claims/{}.svg", claim.id)) + "\n";
       }
     if (!section.empty()) text += fmt::format("## {}\n\n{}", parts[part].second, section);
   }

@@ -12,6 +12,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/markdown.hpp"
 #include "gpf/io/plot.hpp"
+#include "verify/plot_files.hpp"
 
 namespace gpf {
 namespace {
@@ -255,10 +256,10 @@ void write_chart_page(const ChartPlan& plan, const std::vector<ChartPoint>& poin
     page += fmt::format("## {}\n\n", scene);
     for (const std::string_view name : drawn) {
       const std::string file = fmt::format("methods/{}-{}.svg", scene, name);
-      write_svg(cost_plot(here, observable_named(name), scene), folder / file);
-      page += fmt::format("![{} of {}]({})\n", name, scene, file);
+      write_plot(cost_plot(here, observable_named(name), scene), folder / file);
+      page += plot_markdown(fmt::format("{} of {}", name, scene), file) + "\n";
     }
-    page += fmt::format("\nPer cent: bias (resolution), noise. An asterisk: on the Pareto front of U(y).\n\n{}\n",
+    page += fmt::format("Per cent: bias (resolution), noise. An asterisk: on the Pareto front of U(y).\n\n{}\n",
                         scene_table(here));
   }
   page += "## Against the settings of each method\n\n";
@@ -266,8 +267,8 @@ void write_chart_page(const ChartPlan& plan, const std::vector<ChartPoint>& poin
     const Plot plot = scan_plot(scan, plan, points);
     if (plot.series.empty()) continue;
     const std::string file = fmt::format("methods/{}.svg", scan.file);
-    write_svg(plot, folder / file);
-    page += fmt::format("![{}]({})\n\n{}\n\n", scan.title, file, scan.text);
+    write_plot(plot, folder / file);
+    page += fmt::format("{}\n{}\n\n", plot_markdown(scan.title, file), scan.text);
   }
   write_text_atomically(folder / "methods.md", page);
 }

@@ -8,6 +8,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/plot.hpp"
+#include "verify/plot_files.hpp"
 
 namespace gpf {
 namespace {
@@ -41,7 +42,9 @@ constexpr const char* about_seeds =
     "all\n"
     "components of two runs; of measured numbers, those over the runs of the audits above.\n\n";
 
-std::string picture(const char* title, const char* file) { return fmt::format("![{}](trial/{})\n\n", title, file); }
+std::string picture(const char* title, const char* file) {
+  return plot_markdown(title, fmt::format("trial/{}", file)) + "\n";
+}
 
 }  // namespace
 
@@ -92,8 +95,8 @@ void write_trial_page(const Trial& trial, const std::filesystem::path& folder) {
   page += "\n## Seeds\n\n";
   page += about_seeds;
   page += table_of(trial.seeds);
-  write_svg(trial.judge.power, folder / "trial" / "power.svg");
-  write_svg(trial.audit.distribution, folder / "trial" / "p-values.svg");
+  write_plot(trial.judge.power, folder / "trial" / "power.svg");
+  write_plot(trial.audit.distribution, folder / "trial" / "p-values.svg");
   write_text_atomically(folder / "trial.md", page);
 }
 

@@ -75,11 +75,23 @@ BOOST_AUTO_TEST_CASE(equal_verdicts_give_equal_bytes) {
   const auto first = report_on(claims()), second = report_on(claims());
   std::vector<std::string> names;
   for (const auto& [name, text] : first) names.push_back(name);
-  BOOST_TEST(names == std::vector<std::string>({"README.md", "bias-and-scatter.svg", "checks/a.one.svg",
-                                                "checks/b.two.svg", "checks/c.three.svg", "claims/a.one.md",
-                                                "claims/a.one.svg", "claims/b.two.md", "claims/c.three.md"}),
-             boost::test_tools::per_element());
+  BOOST_TEST(
+      names == std::vector<std::string>(
+                   {"README.md", "bias-and-scatter.csv", "bias-and-scatter.svg", "checks/a.one.csv", "checks/a.one.svg",
+                    "checks/b.two.csv", "checks/b.two.svg", "checks/c.three.csv", "checks/c.three.svg",
+                    "claims/a.one.csv", "claims/a.one.md", "claims/a.one.svg", "claims/b.two.md", "claims/c.three.md"}),
+      boost::test_tools::per_element());
   BOOST_TEST((first == second));
+}
+
+BOOST_AUTO_TEST_CASE(every_plot_has_its_numbers_beside_it) {
+  JudgedClaim claim = gpf::test::passing("a.one");
+  claim.verdict.plot = line();
+  const auto files = report_on({claim});
+  BOOST_TEST(files.at("claims/a.one.csv") == "series,style,x,y,error,lower,upper\na,line,0,0,,,\na,line,1,1,,,\n");
+  BOOST_TEST(contains(files.at("claims/a.one.md"), "![a.one](a.one.svg)\n\n[Data of this plot](a.one.csv)\n"));
+  BOOST_TEST(contains(files.at("claims/a.one.md"), "[Data of this plot](../checks/a.one.csv)\n"));
+  BOOST_TEST(contains(files.at("README.md"), "[Data of this plot](bias-and-scatter.csv)\n"));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_red_stands_first_then_what_is_open) {

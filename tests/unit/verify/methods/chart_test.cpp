@@ -178,6 +178,7 @@ BOOST_AUTO_TEST_CASE(a_small_chart_from_beginning_to_end) {
   const std::string page = read_text(folder.path() / "page" / "methods.md");
   BOOST_TEST(contains(page, "gave up: less than 4 cells"));
   BOOST_TEST(std::filesystem::exists(folder.path() / "page" / "methods" / "a-mean_velocity.svg"));
+  BOOST_TEST(std::filesystem::exists(folder.path() / "page" / "methods" / "a-mean_velocity.csv"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
