@@ -131,7 +131,8 @@ void add_advise_command(CLI::App& app, int& status) {
   command->add_option("scene", options->scene, "The scene file")->required();
   std::vector<std::string_view> names;
   for (const Observable& o : observables()) names.push_back(o.name);
-  command->add_option("--observable", options->observable, fmt::format("{}", fmt::join(names, ", ")))
+  command->add_option("--observable", options->observable, "What is to be accurate")
+      ->type_name(fmt::format("{{{}}}", fmt::join(names, ",")))
       ->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "Of the value, bias and twice the noise: 5% or 0.05")
       ->capture_default_str();

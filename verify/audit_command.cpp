@@ -113,15 +113,19 @@ void add_audit_command(CLI::App& app, int& status) {
   CLI::Option* before =
       command->add_option("before", options->audit.before, "A: a store, a git revision, or . for the working tree");
   CLI::Option* after = command->add_option("after", options->audit.after, "B: likewise");
-  CLI::Option* declare = command->add_option(
-      "--declare", options->declared,
-      "bitwise, roundoff, same-physics or new-physics: exit with 1 if the change is more than that");
+  CLI::Option* declare =
+      command->add_option("--declare", options->declared, "Exit with 1 if the change is more than that")
+          ->type_name("{bitwise,roundoff,same-physics,new-physics}");
   command->add_option("--output", options->output, "File for the page (default: standard output)");
-  command->add_option("-j,--jobs", sides.jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-j,--jobs", sides.jobs, "Runs at a time (default: one for each processor)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--replicas", sides.replicas, "Of each scene, for revisions")
       ->check(CLI::Range(2, 32))
       ->capture_default_str();
-  command->add_option("--claims", sides.claims, "Only these claims, separated by commas")->delimiter(',')->expected(1);
+  command->add_option("--claims", sides.claims, "Only these claims, separated by commas")
+      ->delimiter(',')
+      ->expected(1)
+      ->type_name("CLAIM");
   command->add_option("--work", sides.work, "Folder for the trees, programs and stores of revisions")
       ->capture_default_str();
   command->add_flag("--rebuild", sides.rebuild, "Build, run and judge again, even where nothing differs");

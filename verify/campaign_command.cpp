@@ -58,7 +58,8 @@ void add_run(CLI::App& campaign, int& status) {
   options->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = campaign.add_subcommand("run", "Do the runs that are missing; stopped, the same command goes on");
   add_folder(*command, options->place.folder);
-  command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-j,--jobs", options->jobs, "Runs at a time (default: one for each processor)")
+      ->check(CLI::PositiveNumber);
   CLI::Option* task = command->add_option("--task", options->number, "Only this entry of the manifest, from 0")
                           ->check(CLI::Range(0, 9999999));
   command->add_flag("--adaptive", options->adaptive, "Then add replicas where neighbouring points differ")

@@ -22,7 +22,8 @@ void add_chart_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("chart", "Run the methods of reference/methods.toml and chart their cost against their error");
-  command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-j,--jobs", options->jobs, "Runs at a time (default: one for each processor)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--store", options->store, "Folder of records; runs found there are not done again")
       ->capture_default_str();
   command->add_option("--reference", options->reference, "Folder that holds methods.toml and scenes/")

@@ -10,13 +10,14 @@
 #include "gpf/scene/nearest_word.hpp"
 #include "verify/commands.hpp"
 #include "verify/explain.hpp"
+#include "verify/reference_option.hpp"
 
 namespace gpf {
 namespace {
 
 struct ExplainOptions {
   std::string claim;
-  std::filesystem::path reference = "reference";
+  std::filesystem::path reference;
 };
 
 void print_explanation(const ExplainOptions& options) {
@@ -39,9 +40,8 @@ void add_explain_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* command =
       app.add_subcommand("explain", "Say what a claim states, how it is tested and how far off it may be");
-  command->add_option("claim", options->claim, "Id of the claim")->required();
-  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
-      ->capture_default_str();
+  command->add_option("claim", options->claim, "Id of the claim")->required()->type_name("CLAIM");
+  add_reference_option(*command, options->reference);
   command->footer("Example:\n  gpf explain eos.global\n");
   command->callback([options, &status] {
     print_explanation(*options);

@@ -12,6 +12,7 @@
 #include "verify/commands.hpp"
 #include "verify/faults/fault_page.hpp"
 #include "verify/faults/fault_trial.hpp"
+#include "verify/reference_option.hpp"
 #include "verify/stop_signals.hpp"
 #include "verify/toml_fields.hpp"
 #include "verify/validate.hpp"
@@ -125,20 +126,19 @@ void add_faults_command(CLI::App& app, int& status) {
   options->trial.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("faults", "Put faults into the physics: which claims catch them?");
   command->add_option("fault", options->faults, "Faults to try; none: all, and write the page");
-  command->add_option("--claim", options->claims, "Claims to judge (default: all of the tier that read records)");
+  command->add_option("--claim", options->claims, "Claims to judge (default: all of the tier that read records)")
+      ->type_name("CLAIM");
   command->add_option("--tier", options->tier, "quick, standard or full")
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
   CLI::Option* dose = command->add_option("--dose", options->dose, "How badly (default: the fault's own)");
   command->add_flag("--smallest", options->smallest, "Look for the smallest dose that each claim catches")
       ->excludes(dose);
-  command->add_option("-j,--jobs", options->trial.jobs, "Runs at a time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  command->add_option("-j,--jobs", options->trial.jobs, "Runs at a time (default: one for each processor)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--store", options->trial.store, "Folder of records; answers are kept in its folder faults")
       ->capture_default_str();
-  command->add_option("--reference", options->trial.reference, "Folder that holds claims/, scenes/ and faults.toml")
-      ->capture_default_str();
+  add_reference_option(*command, options->trial.reference);
   command->add_option("-o,--output", options->output, "Folder for the page")->capture_default_str();
   std::string list;
   for (const Fault& fault : faults())

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "gpf/base/error.hpp"
-#include "gpf/io/provenance.hpp"
 #include "verify/commands.hpp"
+#include "verify/version_text.hpp"
 
 int main(int argc, char** argv) {
   int status = 0;
@@ -14,8 +14,10 @@ int main(int argc, char** argv) {
       "gpf simulates granular Poiseuille flow - inelastic hard disks driven by gravity through a channel - event by "
       "event,\n"
       "and checks every claim about it against reference data.\n"};
-  app.set_version_flag("--version",
-                       "gpf " + gpf::build_provenance().version + " (" + gpf::build_provenance().commit + ")");
+  bool json = false;  // read before --version, which ends the program
+  CLI::Option* as_json = app.add_flag("--json", json, "With --version: as one JSON object");
+  as_json->needs(app.set_version_flag(
+      "--version", [&json] { return json ? gpf::version_json() : gpf::version_text(); }, "Say how gpf was built"));
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 success or all green; 1 a claim is red; 2 bad input; 3 the engine refused to go on (overlap, "
@@ -39,6 +41,7 @@ int main(int argc, char** argv) {
   gpf::add_trace_command(app, status);
   gpf::add_audit_command(app, status);
   gpf::add_view_command(app, status);
+  gpf::add_pages_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,6 +7,7 @@
 
 #include "gpf/base/error.hpp"
 #include "verify/commands.hpp"
+#include "verify/reference_option.hpp"
 #include "verify/report.hpp"
 #include "verify/site.hpp"
 
@@ -16,13 +17,12 @@ void add_report_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ReportOptions>();
   auto tier = std::make_shared<std::string>("quick"), site = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("report", "Write the report of a tier from its verdicts; runs no physics");
-  command->add_option("claims", options->claims, "Claims to report on; none: all of the tier");
+  command->add_option("claims", options->claims, "Claims to report on; none: all of the tier")->type_name("CLAIM");
   command->add_option("--tier", *tier, "quick, standard or full")
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
   command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
-  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
-      ->capture_default_str();
+  add_reference_option(*command, options->reference);
   CLI::Option* output =
       command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
   command->add_flag("--release", options->release, "Keep what this version found in history/ of the report");

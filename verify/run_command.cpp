@@ -143,10 +143,10 @@ void add_run_command(CLI::App& app, int& status) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   run_app->footer("Keys of a scene file:\n" + scene_key_help() +
-                  "\nExample:\n"
-                  "  gpf run reference/scenes/channel-smooth-nu30.toml -o nu30.h5\n"
-                  "Stopped by SIGTERM, SIGINT or SIGUSR1 it writes OUTPUT.checkpoint and exits with 75;\n"
-                  "the same command with --resume then reaches the same bits as an undisturbed run.\n");
+                  "\nStopped by SIGTERM, SIGINT or SIGUSR1 it writes OUTPUT.checkpoint and exits with 75;\n"
+                  "the same command with --resume then reaches the same bits as an undisturbed run.\n"
+                  "Example:\n"
+                  "  gpf run reference/scenes/channel-smooth-nu30.toml -o nu30.h5\n");
   run_app->callback([options, &status, &app] {
     static_cast<void>(app);
     status = run(*options, {"gpf", "run", options->scene, "-o", options->output});

@@ -9,6 +9,7 @@
 #include "gpf/base/error.hpp"
 #include "verify/commands.hpp"
 #include "verify/gate.hpp"
+#include "verify/reference_option.hpp"
 #include "verify/stop_signals.hpp"
 #include "verify/validate.hpp"
 
@@ -30,14 +31,14 @@ void add_validate_command(CLI::App& app, int& status) {
   auto gate = std::make_shared<bool>(false);
   options->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("validate", "Run what the claims need and judge them");
-  command->add_option("claim", options->claims, "Ids of claims; none: all of the tier");
+  command->add_option("claim", options->claims, "Ids of claims; none: all of the tier")->type_name("CLAIM");
   command->add_option("--tier", *tier, "quick, standard or full")
       ->check(CLI::IsMember({"quick", "standard", "full"}))
       ->capture_default_str();
-  command->add_option("-j,--jobs", options->jobs, "Runs at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-j,--jobs", options->jobs, "Runs at a time (default: one for each processor)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
-  command->add_option("--reference", options->reference, "Folder that holds claims/, scenes/ and campaigns/")
-      ->capture_default_str();
+  add_reference_option(*command, options->reference);
   command->add_option("--release-seed", options->release_seed,
                       "standard and full: seed of this release's replicas (default: from the version)");
   command

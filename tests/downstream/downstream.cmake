@@ -14,7 +14,7 @@ file(REMOVE_RECURSE ${scratch}/prefix ${scratch}/consumer)
 step("install" ${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
 step("configure" ${CMAKE_COMMAND} -S ${source} -B ${scratch}/consumer -G ${generator}
   -D CMAKE_PREFIX_PATH=${scratch}/prefix -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_EXPORT_COMPILE_COMMANDS=ON
-  -D CMAKE_C_COMPILER=${c_compiler} -D CMAKE_CXX_COMPILER=${compiler} "-DCMAKE_CXX_FLAGS=${flags}" "-Dlayers=${layers}")
+  -D CMAKE_C_COMPILER=${c_compiler} -D CMAKE_CXX_COMPILER=${compiler} "-DCMAKE_CXX_FLAGS=${flags}" "-Dcomponents=${components}")
 step("build" ${CMAKE_COMMAND} --build ${scratch}/consumer)
 
 # The consumer's own flags: the bits of a run travel with the headers, our warnings and our CPU do not.
@@ -41,3 +41,18 @@ if(NOT output MATCHES "^area fraction 0.5600, trace [0-9a-f]+\n$" OR NOT output 
   message(FATAL_ERROR "the consumer printed '${output}', the same program in the build tree '${expected}'")
 endif()
 message(STATUS "${output}")
+
+# The same by pkg-config alone, from a prefix that was moved.
+file(REMOVE_RECURSE ${scratch}/moved)
+file(RENAME ${scratch}/prefix ${scratch}/moved)
+set(ENV{PKG_CONFIG_PATH} ${scratch}/moved/${pc_folder})
+step("pkg-config" ${pkg_config} --static --cflags --libs gpf)
+if(sanitize)
+  string(PREPEND flags "-fsanitize=${sanitize} ")
+endif()
+separate_arguments(options UNIX_COMMAND "${flags} ${output}")
+step("compile" ${compiler} -O1 ${source}/main.cpp ${options} -o ${scratch}/by_pkg_config)
+step("run what pkg-config built" ${scratch}/by_pkg_config ${scratch}/scene.toml)
+if(NOT output STREQUAL expected)
+  message(FATAL_ERROR "built with pkg-config it prints '${output}', in the build tree '${expected}'")
+endif()

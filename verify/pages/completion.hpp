@@ -1,0 +1,14 @@
+// What a shell offers when TAB is pressed, from what the help says.
+#pragma once
+
+#include <string>
+
+#include "verify/pages/command_facts.hpp"
+
+namespace gpf {
+
+/// A script for bash (and for zsh after `bashcompinit`): commands, options, and values that come from a list. For all
+/// else the shell offers files.
+std::string bash_completion(const CommandFacts& program);
+
+}  // namespace gpf
