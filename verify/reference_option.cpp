@@ -6,7 +6,7 @@
 namespace gpf {
 
 std::filesystem::path default_reference() {
-  const std::filesystem::path here = "reference";
+  std::filesystem::path here = "reference";
   std::error_code ignored;
   if (std::filesystem::exists(here / "claims", ignored)) return here;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);

@@ -4,33 +4,35 @@
 set -eu
 gpf=$1 pages=$2 source=$3
 fail() { echo "FAILED: $1" >&2; exit 1; }
-offers() { # offers WORD...: what TAB offers after these words, the last of which is unfinished
+offers() { # offers WORD...: $offered is what TAB offers after these words, the last of which is unfinished
   COMP_WORDS=(gpf "$@") COMP_CWORD=$# COMPREPLY=()
-  _gpf
-  echo "${COMPREPLY[*]}"
+  _gpf || true # 1 when there is nothing
+  offered=" ${COMPREPLY[*]} "
 }
 expect() { # expect OFFER WORD...
-  local want=$1 got
+  local want=$1
   shift
-  got=$(offers "$@")
-  [ "$got" = "$want" ] || fail "after 'gpf $*' it offers '$got', not '$want'"
+  offers "$@"
+  [ "$offered" = " $want " ] || fail "after 'gpf $*' it offers '$offered', not '$want'"
 }
-commands_of() { "$gpf" "$@" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\) .*/\1/p'; }
-options_of() { "$gpf" "$@" --help | sed -n 's/^  \(-[a-z-]*\)\(,\(--[a-z-]*\)\)\{0,1\}.*/\1 \3/p'; }
 . "$pages/bash/gpf"
 
 count=0
 check_command() { # check_command PAGE WORD...: all that its help lists is completed, and in the page
-  local page=$1 text option command
+  local page=$1 text help commands option command
   shift
+  help=$("$gpf" "$@" --help)
+  commands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\) .*/\1/p' <<< "$help")
   text=$(zcat "$pages/man/$page.1.gz" | sed 's/\\-/-/g')
-  for option in $(options_of "$@"); do
-    [[ " $(offers "$@" "$option") " = *" $option "* ]] || fail "'gpf $* $option' is not completed"
+  for option in $(sed -n 's/^  \(-[a-z-]*\)\(,\(--[a-z-]*\)\)\{0,1\}.*/\1 \3/p' <<< "$help"); do
+    offers "$@" "$option"
+    [[ $offered = *" $option "* ]] || fail "'gpf $* $option' is not completed"
     [[ $text = *"fB$option\\fR"* ]] || fail "$page(1) lacks $option"
     count=$((count + 1))
   done
-  for command in $(commands_of "$@"); do
-    [[ " $(offers "$@" "") " = *" $command "* ]] || fail "'gpf $* $command' is not completed"
+  for command in $commands; do
+    offers "$@" ""
+    [[ $offered = *" $command "* ]] || fail "'gpf $* $command' is not completed"
     if [ $# -eq 0 ]; then
       [[ $text = *"gpf-$command (1)"* ]] || fail "$page(1) lacks $command"
       check_command "gpf-$command" "$command"

@@ -22,7 +22,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME gpf)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Inelastic hard disks that gravity drives through a two-dimensional channel,
 simulated event by event, and published claims about that flow, and the
 simulation itself, judged against independent references.")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/verify/package/depends.cmake)
+set(CPACK_GPF_PROGRAM ${PROJECT_BINARY_DIR}/verify/gpf)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)  # the pictures of reports
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ffmpeg)         # movies
 
