@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   gpf::add_trace_command(app, status);
   gpf::add_audit_command(app, status);
   gpf::add_view_command(app, status);
+  gpf::add_export_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
