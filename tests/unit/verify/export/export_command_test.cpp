@@ -75,14 +75,13 @@ BOOST_AUTO_TEST_CASE(the_states_of_a_record_are_exported_once_each) {
 
 BOOST_AUTO_TEST_CASE(a_scene_file_gives_its_start_or_a_trajectory) {
   BOOST_REQUIRE(gpf({"export", at("scene.toml"), "--format", "xyz"}).exit_status == 0);
-  const std::string start = read_text(folder / "scene.xyz");
-  BOOST_TEST(lines(start) == 102U);
+  BOOST_TEST(lines(read_text(folder / "scene.xyz")) == 102U);
   const ProcessResult frames = gpf(
       {"export", at("scene.toml"), "--format", "xyz", "--frames", "3", "--interval", "0.25", "-o", at("three.xyz")});
   BOOST_REQUIRE(frames.exit_status == 0);
   const std::string trajectory = read_text(folder / "three.xyz");
-  BOOST_TEST(trajectory.starts_with(start));
   BOOST_TEST(lines(trajectory) == 3 * 102U);
+  BOOST_TEST(contains(trajectory, " Time=0\n"));
   BOOST_TEST(contains(trajectory, " Time=0.5\n"));
 }
 
