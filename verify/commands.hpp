@@ -20,6 +20,7 @@ void add_trial_command(CLI::App& app, int& status);
 void add_trace_command(CLI::App& app, int& status);
 void add_view_command(CLI::App& app, int& status);
 void add_audit_command(CLI::App& app, int& status);
+void add_export_command(CLI::App& app, int& status);
 void add_pages_command(CLI::App& app, int& status);
 
 }  // namespace gpf

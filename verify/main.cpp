@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   gpf::add_trace_command(app, status);
   gpf::add_audit_command(app, status);
   gpf::add_view_command(app, status);
+  gpf::add_export_command(app, status);
   gpf::add_pages_command(app, status);
   try {
     app.parse(argc, argv);

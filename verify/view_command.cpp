@@ -1,10 +1,7 @@
 // gpf view: the flow to look at - a page, a picture, a movie.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -12,15 +9,14 @@
 #include <string>
 
 #include "gpf/base/error.hpp"
-#include "gpf/event/physics_version.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/snapshot.hpp"
 #include "verify/commands.hpp"
+#include "verify/frame_command.hpp"
 #include "verify/stop_signals.hpp"
 #include "verify/view/movie.hpp"
 #include "verify/view/packed_frames.hpp"
 #include "verify/view/page.hpp"
-#include "verify/writable.hpp"
 
 namespace gpf {
 namespace {
@@ -38,49 +34,6 @@ struct Options {
 const std::map<std::string, Colouring> colourings{
     {"speed", Colouring::speed}, {"fluctuation", Colouring::fluctuation}, {"one", Colouring::one}};
 
-void require_free(const std::filesystem::path& output, const Options& options) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(output, options.input, ignored))
-    throw InputError(fmt::format("'{}' is what is to be shown", output.string()), "it would be replaced",
-                     "choose another output");
-  if (std::filesystem::exists(output, ignored) && !options.force)
-    throw InputError(fmt::format("'{}' exists", output.string()), "a file is never overwritten unasked",
-                     "choose another output, or --force to replace it");
-  require_writable_file(output);
-}
-
-/// How many frames are done, on stderr: in place on a terminal, elsewhere a line now and then.
-class FrameProgress {
-  using Clock = std::chrono::steady_clock;
-
- public:
-  explicit FrameProgress(int count) : count_(count) {}
-  ~FrameProgress() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
-  }
-  FrameProgress(const FrameProgress&) = delete;
-  FrameProgress& operator=(const FrameProgress&) = delete;
-
-  void operator()(int done) {
-    const auto now = Clock::now();
-    if (now - told_ < (terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10))) return;
-    told_ = now;
-    fmt::print(stderr, "{}frame {} of {}{}", terminal_ ? "\r\033[K" : "", done, count_, terminal_ ? "" : "\n");
-    std::fflush(stderr);
-  }
-
- private:
-  int count_;
-  bool terminal_ = ::isatty(STDERR_FILENO) == 1;
-  Clock::time_point told_ = Clock::now();
-};
-
-void warn_of_other_physics(const ViewSource& source) {
-  if (source.record && source.record->physics_version != physics_version)
-    fmt::print(stderr, "gpf: warning: the record is of physics version {}, its frames will be of {}\n",
-               source.record->physics_version, physics_version);
-}
-
 int view(Options options) {
   if (options.page.empty() && options.svg.empty() && options.movie.empty())
     options.page = std::filesystem::path(options.input).replace_extension(".html");
@@ -88,7 +41,7 @@ int view(Options options) {
   if (!options.page.empty()) require_page_parts();
   const ViewSource source = load_view_source(options.input, options.start);
   for (const auto* output : {&options.page, &options.svg, &options.movie})
-    if (!output->empty()) require_free(*output, options);
+    if (!output->empty()) require_free(*output, options.input, options.force);
   if ((!options.page.empty() && (options.page == options.svg || options.page == options.movie)) ||
       (!options.svg.empty() && options.svg == options.movie))
     throw InputError("two outputs have one name", "one would replace the other", "give each its own");
@@ -127,20 +80,7 @@ void add_view_command(CLI::App& app, int& status) {
                       "Page to write, HTML (default: INPUT with the end .html, unless --svg or --movie is given)");
   command->add_option("--svg", options->svg, "Picture of the first frame to write");
   command->add_option("--movie", options->movie, "Movie to write, *.mp4 or *.gif (needs ffmpeg)");
-  command->add_option("--frames", options->frames.count, "Number of frames")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--interval", options->frames.interval,
-          "Time between frames (default: the power of two next below W/(32 v), v the root mean square velocity in the "
-          "first)")
-      ->check(CLI::PositiveNumber);
-  CLI::Option* from_start =
-      command->add_flag("--from-start", options->start.from_start, "Begin where the run began, not where it ended");
-  command->add_option("--from-snapshot", options->start.snapshot, "Begin at this snapshot of the record, from 1")
-      ->check(CLI::PositiveNumber)
-      ->excludes(from_start);
+  add_frame_options(*command, options->frames, options->start)->capture_default_str();
   command->add_option("--colour", options->colouring, "Of the movie's disks: speed, fluctuation or one")
       ->check(CLI::IsMember({"speed", "fluctuation", "one"}))
       ->capture_default_str();
