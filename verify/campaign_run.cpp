@@ -11,6 +11,7 @@
 #include "gpf/measure/tallies.hpp"
 #include "verify/campaign_collect.hpp"
 #include "verify/file_lock.hpp"
+#include "verify/report_markdown.hpp"
 
 namespace gpf {
 namespace {
@@ -57,6 +58,13 @@ Manifest manifest_before(const CampaignFolder& folder) {
                error.what(), aside.string());
     return {};
   }
+}
+
+/// A text from a file for a terminal, on one line.
+std::string shown(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
 }
 
 std::filesystem::path failure_file(const CampaignFolder& folder, std::size_t index) {
@@ -208,10 +216,9 @@ std::size_t print_missing(const CampaignFolder& folder, bool as_ranges) {
     return open.size();
   }
   for (const ManifestEntry& entry : open) {
-    std::string why = std::filesystem::exists(failure_file(folder, entry.index))
-                          ? "failed: " + read_text(failure_file(folder, entry.index))
-                          : "not done\n";
-    fmt::print("{}\t{}\t{}", entry.index, entry.label, why);
+    const std::filesystem::path failed = failure_file(folder, entry.index);
+    fmt::print("{}\t{}\t{}\n", entry.index, shown(entry.label),
+               std::filesystem::exists(failed) ? "failed: " + shown(read_text(failed)) : "not done");
   }
   return open.size();
 }
@@ -229,13 +236,14 @@ std::filesystem::path collect_campaign(const CampaignFolder& folder) {
       "# {}\n\n{}{}Structures are told by the density modes (verify/estimators/density_structure.hpp): the class of "
       "most "
       "replicas, with a\nquestion mark where it is not sure at 95 % that more than half of all replicas have it.\n\n{}",
-      campaign.title, open > 0 ? fmt::format("{} run(s) are missing.\n\n", open) : "",
+      markdown_text(campaign.title), open > 0 ? fmt::format("{} run(s) are missing.\n\n", open) : "",
       drawn ? "![Phase diagram](phase.svg)\n\n[Data of all points](phase.csv)\n\n" : "",
       phase_table(campaign, results));
   write_text_atomically(folder.file("phase.md"), page);
   if (const std::string pictures = draw_snapshots(campaign, manifest, store, folder.file("snapshots"));
       !pictures.empty())
-    write_text_atomically(folder.file("snapshots.md"), fmt::format("# {}: snapshots\n\n{}", campaign.title, pictures));
+    write_text_atomically(folder.file("snapshots.md"),
+                          fmt::format("# {}: snapshots\n\n{}", markdown_text(campaign.title), pictures));
   return folder.file("phase.md");
 }
 

@@ -158,6 +158,7 @@ void add_faults_command(CLI::App& app, int& status) {
         (options->smallest || options->dose || !options->claims.empty() || options->tier != "quick"))
       throw InputError("no fault is named", "these options are for single faults; the page is made with none of them",
                        "name one: gpf faults --help lists them");
+    require_writable_folder(options->trial.store);  // now, rather than after the first runs
     status = options->faults.empty() ? make_matrix(*options) : print_answers(*options);
   });
 }

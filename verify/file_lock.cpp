@@ -33,14 +33,17 @@ StorageError cannot_lock(const std::filesystem::path& path, int error_number) {
 }  // namespace
 
 std::optional<FileLock> FileLock::attempt(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw cannot_lock(path, errno);
-  const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  const int failure = locked ? 0 : errno;
-  if (locked && is_current(descriptor, path)) return FileLock(path, descriptor);
-  ::close(descriptor);
-  if (!locked && failure != EWOULDBLOCK && failure != EINTR) throw cannot_lock(path, failure);
-  return std::nullopt;
+  while (true) {
+    const int descriptor = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw cannot_lock(path, errno);
+    const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    const int failure = locked ? 0 : errno;
+    if (locked && is_current(descriptor, path)) return FileLock(path, descriptor);
+    ::close(descriptor);
+    if (locked) continue;  // its last holder is gone
+    if (failure != EWOULDBLOCK && failure != EINTR) throw cannot_lock(path, failure);
+    return std::nullopt;
+  }
 }
 
 std::optional<FileLock> FileLock::wait(const std::filesystem::path& path, const volatile std::sig_atomic_t* stop) {

@@ -15,6 +15,9 @@ class FileLock {
   static std::optional<FileLock> wait(const std::filesystem::path& path,
                                       const volatile std::sig_atomic_t* stop = nullptr);
 
+  /// Nothing when another holds it. Throws as wait() does.
+  static std::optional<FileLock> attempt(const std::filesystem::path& path);
+
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) = delete;
   FileLock(const FileLock&) = delete;
@@ -23,7 +26,6 @@ class FileLock {
 
  private:
   FileLock(std::filesystem::path path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
-  static std::optional<FileLock> attempt(const std::filesystem::path& path);
 
   std::filesystem::path path_;
   int descriptor_;

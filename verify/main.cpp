@@ -2,11 +2,23 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <system_error>
 
 #include "gpf/base/error.hpp"
 #include "verify/commands.hpp"
+#include "verify/out_of_memory.hpp"
 #include "verify/version_text.hpp"
+
+namespace {
+
+int report(const gpf::Error& error) {
+  std::fprintf(stderr, "gpf: %s\n", error.what());
+  return static_cast<int>(error.status());
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   int status = 0;
@@ -48,9 +60,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(gpf::ExitStatus::bad_input);
   } catch (const gpf::Error& error) {
-    std::fprintf(stderr, "gpf: %s\n", error.what());
-    return static_cast<int>(error.status());
+    return report(error);
+  } catch (const std::bad_alloc&) {
+    return report(gpf::out_of_memory());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(gpf::StorageError("a file or folder cannot be used", error.what(),
+                                    "check its place, the room there and your rights"));
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) return report(gpf::out_of_memory());  // a thread
     std::fprintf(stderr, "gpf: cannot write the output (%s): make room, or write it elsewhere\n", error.what());
     return static_cast<int>(gpf::ExitStatus::storage);
   } catch (const std::exception& error) {

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <string_view>
 
 #include "verify/file_lock.hpp"
+#include "verify/out_of_memory.hpp"
 
 namespace gpf {
 namespace {
@@ -41,12 +43,13 @@ ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions
     tell(report, "stopped");
     return ExitStatus::interrupted;
   }
+  SimulationOptions simulation;
+  simulation.checkpoint = place.string() + ".checkpoint";
   if (store.load(job.file)) {
+    std::filesystem::remove(*simulation.checkpoint);  // of a process that ended between its last two steps
     tell(report, "found");
     return ExitStatus::success;
   }
-  SimulationOptions simulation;
-  simulation.checkpoint = place.string() + ".checkpoint";
   simulation.checkpoint_period = options.checkpoint_period;
   simulation.resume = true;
   simulation.stop = options.stop;
@@ -70,6 +73,10 @@ void work(const RecordStore& store, const RunJob& job, const PoolOptions& option
   try {
     status = do_job(store, job, options, report);
   } catch (const Error& error) {
+    tell(report, fmt::format("failed {}", error.what()));
+    status = error.status();
+  } catch (const std::bad_alloc&) {
+    const StorageError error = out_of_memory();
     tell(report, fmt::format("failed {}", error.what()));
     status = error.status();
   } catch (const std::exception& error) {

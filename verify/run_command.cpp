@@ -1,18 +1,15 @@
 // gpf run: one scene to one record.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cmath>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
@@ -20,6 +17,8 @@
 #include "gpf/io/record.hpp"
 #include "gpf/scene/scene_file.hpp"
 #include "verify/commands.hpp"
+#include "verify/duration_text.hpp"
+#include "verify/file_lock.hpp"
 #include "verify/run_json.hpp"
 #include "verify/simulate.hpp"
 
@@ -30,31 +29,14 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 extern "C" void request_stop(int) { stop_requested = 1; }
 
-/// One process per record: an advisory lock on a file beside it, gone when the process is.
-class OutputLock {
- public:
-  explicit OutputLock(const std::filesystem::path& output) : path_(output.string() + ".lock") {
-    descriptor_ = ::open(path_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-    if (descriptor_ < 0)
-      throw StorageError(fmt::format("cannot create '{}'", path_.string()), std::strerror(errno),
-                         "choose an output in a folder that exists and can be written");
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      ::close(descriptor_);
-      throw StorageError(fmt::format("another process is writing '{}'", output.string()), "its lock is held",
-                         "wait for it, or choose another output");
-    }
-  }
-  ~OutputLock() {
-    ::unlink(path_.c_str());
-    ::close(descriptor_);
-  }
-  OutputLock(const OutputLock&) = delete;
-  OutputLock& operator=(const OutputLock&) = delete;
-
- private:
-  std::filesystem::path path_;
-  int descriptor_;
-};
+/// One process per record: a lock beside it.
+FileLock lock_of(const std::filesystem::path& output) {
+  auto lock = FileLock::attempt(output.string() + ".lock");
+  if (!lock)
+    throw StorageError(fmt::format("another process is writing '{}'", output.string()), "its lock is held",
+                       "wait for it, or choose another output");
+  return std::move(*lock);
+}
 
 struct RunOptions {
   std::string scene, output;
@@ -62,17 +44,9 @@ struct RunOptions {
   double checkpoint_period = 60;
 };
 
-std::string duration_text(double seconds) {
-  if (!std::isfinite(seconds)) return "-";
-  const auto s = std::lround(seconds);
-  return s < 60     ? fmt::format("{} s", s)
-         : s < 3600 ? fmt::format("{} min {:02} s", s / 60, s % 60)
-                    : fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
-}
-
 void show_progress(const Progress& p) {
   fmt::print(stderr, "\r\033[K{:5.1f} %  time {:.4g}  {:.3g} collisions, {:.3g}/s  {} left", 100 * p.fraction, p.time,
-             static_cast<double>(p.collisions), p.collisions_per_second, duration_text(p.seconds_left));
+             static_cast<double>(p.collisions), std::max(0.0, p.collisions_per_second), duration_text(p.seconds_left));
   std::fflush(stderr);
 }
 
@@ -85,7 +59,7 @@ void summarise(const Record& record, const std::string& output) {
 int run(const RunOptions& options, std::vector<std::string> command) {
   const SceneFile file = load_scene(options.scene);
   const std::filesystem::path output = options.output, checkpoint = options.output + ".checkpoint";
-  const OutputLock lock(output);
+  const FileLock lock = lock_of(output);
   const auto finish = [&](const Record& record) {
     if (options.json)
       fmt::print("{}\n", run_json(record));
@@ -101,6 +75,7 @@ int run(const RunOptions& options, std::vector<std::string> command) {
     if (canonical_text(record.scene, record.run) != canonical_text(file.scene, file.run))
       throw InputError(fmt::format("'{}' is the finished record of another scene", options.output),
                        "--resume goes on with the same scene, seed and run only", "choose another output");
+    std::filesystem::remove(checkpoint);  // of a process that ended between its last two steps
     return finish(record);
   }
   if (std::filesystem::exists(checkpoint) && !options.resume && !options.force)

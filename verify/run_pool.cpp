@@ -79,6 +79,9 @@ int wait_for(pid_t process) {
   return status;
 }
 
+/// A signal from outside, not from what the process did: the system is short of memory, or somebody ended it.
+bool is_from_outside(int signal) { return signal == SIGKILL || signal == SIGTERM || signal == SIGXCPU; }
+
 /// How a process ended, if not well; a run that was stopped leaves `stopped` set.
 std::optional<RunFailure> failure_of(const Worker& worker, const std::string& label, bool asked, bool& stopped) {
   const int status = wait_for(worker.process);
@@ -87,7 +90,11 @@ std::optional<RunFailure> failure_of(const Worker& worker, const std::string& la
       stopped = true;
       return std::nullopt;
     }
-    return RunFailure{label, fmt::format("ended by signal {}", WTERMSIG(status)), ExitStatus::physics};
+    const int signal = WTERMSIG(status);
+    if (is_from_outside(signal))
+      return RunFailure{label, fmt::format("ended by signal {}, from outside: is there memory enough?", signal),
+                        ExitStatus::storage};
+    return RunFailure{label, fmt::format("ended by signal {}", signal), ExitStatus::physics};
   }
   const auto exit = static_cast<ExitStatus>(WEXITSTATUS(status));
   if (exit == ExitStatus::interrupted) stopped = true;

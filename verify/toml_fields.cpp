@@ -25,6 +25,11 @@ std::string single_spaced(std::string_view text) {
   return result;
 }
 
+/// Characters that would move the cursor of a terminal, or that pages cannot hold.
+bool has_control_character(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
 }  // namespace
 
 TomlFields::TomlFields(const TomlTable& table, TomlPosition position, std::string_view where, std::string_view file,
@@ -76,6 +81,9 @@ const T& TomlFields::value(std::string_view key, std::string_view wanted) const 
 std::string TomlFields::text(std::string_view key) const {
   std::string result = single_spaced(value<std::string>(key, "a string"));
   if (result.empty()) throw error(key, fmt::format("{} is empty", key), "it tells a reader something", "fill it in");
+  if (has_control_character(result))
+    throw error(key, fmt::format("{} holds a control character", key), "it is shown on terminals and pages",
+                "remove it");
   return result;
 }
 
@@ -105,6 +113,9 @@ std::vector<std::string> TomlFields::texts(std::string_view key) const {
     if (word.empty())
       throw error_at(file_, element.position, fmt::format("{} holds an empty string", key), "it names nothing",
                      "fill it in or leave it out");
+    if (has_control_character(word))
+      throw error_at(file_, element.position, fmt::format("{} holds a control character", key),
+                     "it is shown on terminals and pages", "remove it");
     if (std::find(result.begin(), result.end(), word) != result.end())
       throw error_at(file_, element.position, fmt::format("{} holds {} twice", key, gpf::quoted(word)),
                      "each is listed once", "remove one");

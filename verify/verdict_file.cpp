@@ -10,6 +10,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
 #include "gpf/io/atomic_file.hpp"
+#include "verify/file_lock.hpp"
 
 namespace gpf {
 namespace {
@@ -203,6 +204,7 @@ void write_verdict(const Verdict& verdict, const std::filesystem::path& store) {
   if (failure)
     throw StorageError(fmt::format("cannot create '{}'", path.parent_path().string()), failure.message(),
                        "choose another folder with --store");
+  const auto lock = FileLock::wait(path.string() + ".lock");  // another process may be judging the same
   write_text_atomically(path, verdict_text(verdict));
 }
 

@@ -3,22 +3,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz/check.hpp"
 #include "gpf/base/error.hpp"
 #include "gpf/scene/scene_file.hpp"
 #include "gpf/scene/start.hpp"
 
 namespace {
 
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "fuzz: %s\n", what);
-  std::abort();
-}
+using gpf::fuzz::require;
 
 void check_sound(const gpf::SceneFile& file) {
   const std::string canonical = canonical_text(file.scene);
@@ -41,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const gpf::InputError& error) {
     const std::string_view message = error.what();
     require(message.substr(0, 5) == "fuzz:", "an error without its place");
-    require(!error.why().empty() && !error.remedy().empty(), "an error without reason or remedy");
+    gpf::fuzz::require_usable(error, "fuzz:");
   }
   return 0;
 }

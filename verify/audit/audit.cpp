@@ -35,7 +35,7 @@ void find_first_difference(const AuditOptions& options, const Side& before, cons
   try {
     const auto epochs = static_cast<std::int64_t>(std::ceil(run.time / run.epoch_length));
     const auto event = replay({text, epochs, run.epoch_length, before.program, after.program, options.sides.work,
-                               [&] { stop_if_asked(options.sides); }});
+                               [&] { stop_if_asked(options.sides); }, options.sides.stop});
     if (event)
       report.findings.first = {run.name, *event};
     else

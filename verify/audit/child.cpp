@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "gpf/base/error.hpp"
+#include "gpf/io/file_descriptor.hpp"
 
 namespace gpf {
 namespace {
@@ -20,24 +21,21 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 }  // namespace
 
 ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log,
-                      const volatile std::sig_atomic_t* stop) {
+                      const volatile std::sig_atomic_t* stop, const std::filesystem::path& output) {
   std::vector<std::string> storage = arguments;  // spawn takes pointers to non-const
   std::vector<char*> argv;
   for (std::string& argument : storage) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file < 0)
-    throw StorageError(fmt::format("cannot write '{}'", log.string()), std::generic_category().message(errno),
-                       "choose another folder with --work");
+  const FileDescriptor errors(log, O_WRONLY | O_CREAT | O_APPEND),
+      told(output.empty() ? log : output, O_WRONLY | O_CREAT | O_APPEND);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, file, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, file, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, told.get(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors.get(), STDERR_FILENO);
   pid_t child = 0;
   const int failure = ::posix_spawnp(&child, argv.front(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  ::close(file);
   if (failure != 0)
     throw StorageError(fmt::format("cannot start {}", arguments.front()), std::generic_category().message(failure),
                        "install it, or add its folder to the PATH");

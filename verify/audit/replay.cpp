@@ -7,7 +7,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
-#include "gpf/io/subprocess.hpp"
+#include "verify/audit/child.hpp"
 
 namespace gpf {
 namespace {
@@ -16,13 +16,15 @@ std::filesystem::path scene_of(const ReplayTask& task) { return task.folder / "r
 
 std::string trace(const ReplayTask& task, const std::filesystem::path& program, const char* option,
                   std::int64_t number) {
-  ProcessResult result =
-      run_program({program.string(), "trace", scene_of(task).string(), option, fmt::format("{}", number)}, "");
+  const std::filesystem::path output = task.folder / "replay.txt", log = task.folder / "replay.log";
+  for (const std::filesystem::path& old : {output, log}) std::filesystem::remove(old);
+  const ChildResult child = run_child(
+      {program.string(), "trace", scene_of(task).string(), option, fmt::format("{}", number)}, log, task.stop, output);
   task.between();
-  if (result.exit_status != 0)
-    throw InputError(fmt::format("{} cannot trace the run", program.string()), result.errors,
+  if (child.exit_status != 0)
+    throw InputError(fmt::format("{} cannot trace the run", program.string()), read_text(log),
                      "compare programs that have the command trace");
-  return std::move(result.output);
+  return read_text(output);
 }
 
 }  // namespace
