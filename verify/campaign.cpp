@@ -20,12 +20,17 @@ constexpr std::array<std::string_view, 7> campaign_keys{"title", "replicas", "mo
                                                         "scene", "run"};
 constexpr std::int64_t most_replicas_of_a_point = 1000;
 
-InputError no_value() {
-  return {"a date or a table as a value of a scene", "no key of a scene has one", "see gpf run --help for the keys"};
-}
-
-std::string text_of(const TomlValue& value) {
+/// A value of `key` as a scene file has it.
+std::string text_of(const TomlFields& table, const std::string& key, const TomlValue& value) {
   struct Text {
+    const TomlFields& table;
+    const std::string& key;
+    [[nodiscard]] InputError refused(const std::string& problem, const char* why) const {
+      return table.error(key, problem, why, "see gpf run --help for the keys");
+    }
+    [[nodiscard]] InputError no_value() const {
+      return refused("a date or a table as a value of a scene", "no key of a scene has one");
+    }
     std::string operator()(const TomlDate&) const { throw no_value(); }
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t n) const { return std::to_string(n); }
@@ -36,18 +41,17 @@ std::string text_of(const TomlValue& value) {
     std::string operator()(const std::string& s) const {
       if (s.find_first_of("\"\\") != std::string::npos ||
           std::any_of(s.begin(), s.end(), [](unsigned char c) { return c < 0x20; }))
-        throw InputError(gpf::quoted(s) + " is no word of a scene", "it has quotation marks or control characters",
-                         "see gpf run --help for the keys");
+        throw refused(gpf::quoted(s) + " is no word of a scene", "it has quotation marks or control characters");
       return '"' + s + '"';
     }
     std::string operator()(const TomlArray& values) const {
       std::vector<std::string> texts;
-      for (const TomlValue& v : values) texts.push_back(text_of(v));
+      for (const TomlValue& v : values) texts.push_back(text_of(table, key, v));
       return fmt::format("[{}]", fmt::join(texts, ", "));
     }
     std::string operator()(const TomlTable&) const { throw no_value(); }
   };
-  return std::visit(Text{}, value.data);
+  return std::visit(Text{table, key}, value.data);
 }
 
 double number_of(const TomlValue& value) {
@@ -81,7 +85,7 @@ std::vector<CampaignAxis> axes_of(const TomlFields& table) {
                         "an axis is what is varied", fmt::format("write {} = [ ... ]", entry.key));
     CampaignAxis axis{entry.key, {}, {}};
     for (const TomlValue& value : *values) {
-      axis.texts.push_back(text_of(value));
+      axis.texts.push_back(text_of(table, entry.key, value));
       axis.numbers.push_back(number_of(value));
     }
     if (std::set(axis.texts.begin(), axis.texts.end()).size() != axis.texts.size())
@@ -108,7 +112,7 @@ std::string scene_text(const TomlFields& file, const TomlFields& axes_table, con
       if (axes_table.has(entry.key))
         throw fixed.error(entry.key, fmt::format("'{}' is both fixed and an axis", entry.key),
                           "it has one value at each point", "remove one of the two");
-      text += fmt::format("{} = {}\n", entry.key, text_of(entry.value));
+      text += fmt::format("{} = {}\n", entry.key, text_of(fixed, entry.key, entry.value));
     }
   }
   return text;

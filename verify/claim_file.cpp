@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
@@ -80,7 +81,8 @@ void read_scenes(const TomlFields& file, Claim& claim) {
     for (const std::string& name : names)
       if (!is_name(name))
         throw scenes.error(entry.key, fmt::format("scene {} cannot be used", gpf::quoted(name)),
-                           "it is the name of a file in reference/scenes/ or reference/campaigns/ without .toml", "correct it");
+                           "it is the name of a file in reference/scenes/ or reference/campaigns/ without .toml",
+                           "correct it");
     claim.scenes[tier_named(entry.key)] = std::move(names);
   }
   if (claim.scenes.empty())
@@ -112,6 +114,9 @@ void read_tolerance(const TomlFields& file, Claim& claim) {
         throw fields.error("name", fmt::format("tolerance {} is given twice", gpf::quoted(term.name)),
                            "each reason counts once", "join them or name them apart");
     claim.tolerance.push_back(std::move(term));
+    if (!std::isfinite(claim.tolerance_total()))
+      throw fields.error("value", "the terms add up to more than a number holds", "they are half the width of the band",
+                         "write smaller ones");
   }
   if (claim.tolerance.empty() == file.has("tolerance_unit"))
     throw file.error(

@@ -27,8 +27,8 @@ void check_neighbours(const gpf::Campaign& campaign) {
 
 void check_sound(const gpf::Campaign& campaign) {
   require(campaign.replicas >= 1 && campaign.most_replicas >= campaign.replicas, "wrong replicas");
-  const std::string script = slurm_script({"folder"}, "gpf", campaign.title),
-                    plain = slurm_script({"folder"}, "gpf", "plain");
+  const std::string script = gpf::slurm_script({"folder"}, "gpf", campaign.title),
+                    plain = gpf::slurm_script({"folder"}, "gpf", "plain");
   require(std::count(script.begin(), script.end(), '\n') == std::count(plain.begin(), plain.end(), '\n'),
           "a title with a line of its own in the script");
   require(script.substr(script.find("trap")) == plain.substr(plain.find("trap")), "a title among the commands");

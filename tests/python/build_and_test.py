@@ -32,7 +32,7 @@ def main():
     source, work = pathlib.Path(source), pathlib.Path(work)
     tree, prefix = work / "tree", work / "prefix"
     configured = call("cmake", "-S", source, "-B", tree, "-G", generator, f"-DCMAKE_CXX_COMPILER={cxx}",
-                      f"-DCMAKE_C_COMPILER={cc}", "-DCMAKE_BUILD_TYPE=Release", "-DGPF_PYTHON=ON",
+                      f"-DCMAKE_C_COMPILER={cc}", "-DCMAKE_BUILD_TYPE=Release", "-DGPF_NATIVE=ON", "-DGPF_PYTHON=ON",
                       "-DGPF_BUILD_PROGRAM=OFF", "-DGPF_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")
     if configured.returncode != 0:
         if "provided by \"pybind11\"" in configured.stdout or "Could NOT find Python" in configured.stdout:
