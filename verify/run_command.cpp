@@ -56,6 +56,12 @@ void summarise(const Record& record, const std::string& output) {
              static_cast<double>(record.counts.pair_contacts) / record.wall_seconds, hexadecimal(record.trace_hash));
 }
 
+/// What a run that is done, or a process that was killed on its way, leaves beside the record.
+void tidy(const std::filesystem::path& output, const std::filesystem::path& checkpoint) {
+  for (const auto& file : {checkpoint.string(), checkpoint.string() + ".part", output.string() + ".part"})
+    std::filesystem::remove(file);
+}
+
 int run(const RunOptions& options, std::vector<std::string> command) {
   const SceneFile file = load_scene(options.scene);
   const std::filesystem::path output = options.output, checkpoint = options.output + ".checkpoint";
@@ -75,7 +81,7 @@ int run(const RunOptions& options, std::vector<std::string> command) {
     if (canonical_text(record.scene, record.run) != canonical_text(file.scene, file.run))
       throw InputError(fmt::format("'{}' is the finished record of another scene", options.output),
                        "--resume goes on with the same scene, seed and run only", "choose another output");
-    std::filesystem::remove(checkpoint);  // of a process that ended between its last two steps
+    tidy(output, checkpoint);
     return finish(record);
   }
   if (std::filesystem::exists(checkpoint) && !options.resume && !options.force)
@@ -100,7 +106,7 @@ int run(const RunOptions& options, std::vector<std::string> command) {
     return static_cast<int>(ExitStatus::interrupted);
   }
   write_record(*record, output);
-  std::filesystem::remove(checkpoint);
+  tidy(output, checkpoint);
   return finish(*record);
 }
 
