@@ -27,8 +27,7 @@ double temperature_ratio(const Record& r) {
 Evidence estimate_bin_temperature(const Claim& claim, Tier, const SceneRecords& records) {
   RatioChecks ratios(claim);
   for (const auto& [name, replicas] : records)
-    ratios.add(name + ": <u_x^2> of the bins over that of all disks",
-               per_replica(replicas.size(), [&](std::size_t r) { return temperature_ratio(replicas[r]); }));
+    ratios.add(name + ": <u_x^2> of the bins over that of all disks", replicas, temperature_ratio);
   return ratios.evidence("Fluctuation about the means of the bins, over that about the mean of all disks",
                          "<u_x^2> of the bins over that of all disks");
 }

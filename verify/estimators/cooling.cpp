@@ -34,8 +34,7 @@ double loss_ratio(const Record& r) {
 Evidence estimate_cooling(const Claim& claim, Tier, const SceneRecords& records) {
   RatioChecks ratios(claim);
   for (const auto& [name, replicas] : records)
-    ratios.add(name + ": temperature lost, over that of its collisions",
-               per_replica(replicas.size(), [&](std::size_t r) { return loss_ratio(replicas[r]); }));
+    ratios.add(name + ": temperature lost, over that of its collisions", replicas, loss_ratio);
   Evidence evidence = ratios.evidence("Temperature lost by a gas that cools, over what its collisions take",
                                       "ln(T_0/T) over its expectation");
   evidence.notes = {

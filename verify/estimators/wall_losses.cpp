@@ -1,6 +1,4 @@
 // algo.walls: what each wall takes of a gas that nothing drives.
-#include <array>
-
 #include "gpf/measure/tallies.hpp"
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/ratio_checks.hpp"
@@ -28,9 +26,10 @@ double loss_ratio(const Record& r, Wall wall) {
 Evidence estimate_wall_losses(const Claim& claim, Tier, const SceneRecords& records) {
   RatioChecks ratios(claim);
   for (const auto& [name, replicas] : records)
-    for (const auto& [wall, words] : {std::pair{Wall::lower, "lower"}, std::pair{Wall::upper, "upper"}})
-      ratios.add(name + ": energy lost at the " + words + " wall, over that of its contacts",
-                 per_replica(replicas.size(), [&](std::size_t r) { return loss_ratio(replicas[r], wall); }));
+    for (const Wall wall : {Wall::lower, Wall::upper})
+      ratios.add(name + (wall == Wall::lower ? ": energy lost at the lower" : ": energy lost at the upper") +
+                     " wall, over that of its contacts",
+                 replicas, [wall](const Record& r) { return loss_ratio(r, wall); });
   Evidence evidence =
       ratios.evidence("Energy lost at each wall, over what its contacts take", "energy lost over its expectation");
   evidence.notes = {"Contacts are counted, not predicted: how often disks reach a wall does not enter."};
