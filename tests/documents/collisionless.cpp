@@ -40,7 +40,8 @@ class Collisionless {
       now += lapse;
       if (contact >= until) return;
       const Vec2 before = c;
-      c = {scene_.wall_tangential_restitution[wall] * c.x, -scene_.wall_normal_restitution * c.y};
+      c = {scene_.wall_tangential_restitution[static_cast<std::size_t>(wall)] * c.x,
+           -scene_.wall_normal_restitution * c.y};
       if (watcher_ != nullptr) watcher_->on_wall({now, static_cast<std::int32_t>(i), wall, r, before, c});
     }
   }

@@ -18,7 +18,8 @@ double loss_ratio(const Record& r, Wall wall) {
     lost += sum(Tally::wall_loss, wall);
     expected += sum(Tally::wall_contacts, wall) * 0.5 * sum(Tally::energy) / (sum(Tally::samples) * r.scene.particles);
   }
-  return lost / (expected * (1 - square(r.scene.wall_tangential_restitution.at(wall))));
+  const double beta = r.scene.wall_tangential_restitution[static_cast<std::size_t>(wall)];
+  return lost / (expected * (1 - square(beta)));
 }
 
 }  // namespace
