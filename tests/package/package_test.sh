@@ -33,7 +33,8 @@ for wanted in libhdf5-dev libfmt-dev libgsl-dev libfftw3-dev nlohmann-json3-dev;
 done
 
 for file in usr/bin/gpf usr/share/doc/gpf/copyright usr/share/doc/gpf/changelog.gz usr/share/man/man1/gpf.1.gz \
-  usr/share/man/man1/gpf-validate.1.gz usr/share/bash-completion/completions/gpf usr/share/gpf/reference/errata.toml; do
+  usr/share/man/man1/gpf-validate.1.gz usr/share/bash-completion/completions/gpf \
+  usr/share/fish/vendor_completions.d/gpf.fish usr/share/zsh/vendor-completions/_gpf usr/share/gpf/reference/errata.toml; do
   [ -s "program/$file" ] || fail "no $file"
 done
 for package in program development; do

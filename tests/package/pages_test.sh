@@ -1,5 +1,5 @@
 #!/bin/bash
-# Manual pages and completion say what the help says.
+# Manual pages and completions say what the help says.
 # usage: pages_test.sh GPF PAGES SOURCE
 set -eu
 gpf=$1 pages=$2 source=$3
@@ -61,6 +61,23 @@ for command in validate explain report; do expect "$claims" "$command" ""; done
 expect "eos.global eos.virial" explain eos.
 expect "algo.walls" faults "walls exchanged" --claim algo.wa
 echo "ok - choices and claims"
+
+for other in fish zsh; do
+  command -v $other > /dev/null || { echo "no $other: its completion is not tried"; exit 77; }
+done
+expect_fish() { # expect_fish OFFER LINE
+  local offered
+  offered=$(fish -N -c "source $pages/fish/gpf.fish; complete -C '$2'" | cut -f 1 | tr '\n' ' ')
+  [ "$offered" = "$1 " ] || fail "after '$2' fish offers '$offered', not '$1'"
+}
+expect_fish "validate" "gpf vali"
+expect_fish "full quick standard" "gpf validate --tier "
+expect_fish "--store" "gpf validate --st"
+expect_fish "missing" "gpf campaign mi"
+expect_fish "--adaptive" "gpf campaign run fig-5-8 --ad"
+expect_fish "eos.global eos.virial" "gpf explain eos."
+"$source/tests/package/completion_test.zsh" "$pages/zsh"
+echo "ok - fish and zsh"
 
 if ! command -v mandoc > /dev/null; then
   echo "no mandoc: the pages' language is not checked"

@@ -100,6 +100,15 @@ ValidateOptions judging(const std::vector<Claim>& claims, const FaultOptions& op
   return validate;
 }
 
+/// Of the folders of records beside this one, which are of other doses or sources and were left by trials that were
+/// stopped, none.
+void keep_only(const std::filesystem::path& records) {
+  std::vector<std::filesystem::path> others;
+  for (const auto& entry : std::filesystem::directory_iterator(records.parent_path()))
+    if (entry.is_directory() && entry.path() != records) others.push_back(entry.path());
+  for (const std::filesystem::path& other : others) std::filesystem::remove_all(other);
+}
+
 }  // namespace
 
 std::string_view name_of(Caught caught) {
@@ -136,12 +145,12 @@ std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::
   if (open.empty()) return trial;
 
   ValidateOptions validate = judging(open, options);
-  validate.store = folder(fault, options) / "records";
+  validate.store = folder(fault, options) / fmt::format("records-{:.6g}-{}", dose, sources());
   validate.run = simulate_with(fault, dose, options.store);
-  std::filesystem::remove_all(validate.store);  // of another dose, or of a run that was stopped
+  keep_only(validate.store);
   const ValidateResult result = judge_claims(validate);
-  std::filesystem::remove_all(validate.store);
   if (result.stopped) return std::nullopt;
+  std::filesystem::remove_all(validate.store);
   for (const ValidateProblem& problem : result.problems)
     if (problem.status == ExitStatus::storage)
       throw StorageError(problem.what, problem.why, "the same command goes on");

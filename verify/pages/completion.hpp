@@ -7,8 +7,9 @@
 
 namespace gpf {
 
-/// A script for bash (and for zsh after `bashcompinit`): commands, options, and values that come from a list. For all
-/// else the shell offers files.
+/// A script for each shell: commands, options, and values that come from a list. For all else the shell offers files.
 std::string bash_completion(const CommandFacts& program);
+std::string fish_completion(const CommandFacts& program);
+std::string zsh_completion(const CommandFacts& program);
 
 }  // namespace gpf
