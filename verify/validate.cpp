@@ -1,6 +1,7 @@
 #include "verify/validate.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <set>
@@ -10,6 +11,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/provenance.hpp"
 #include "gpf/scene/nearest_word.hpp"
+#include "verify/forked_calls.hpp"
 #include "verify/validate_output.hpp"
 #include "verify/verdict_file.hpp"
 
@@ -70,7 +72,7 @@ class Validation {
       for (const Claim& claim : open)
         add_demand(demand, claim, options_.tier, looks_of(claim)[static_cast<std::size_t>(look - 1)]);
       make_runs(demand, seed);
-      std::erase_if(open, [&](const Claim& claim) { return judge_one(claim, look, seed, notes); });
+      look_at(open, look, seed, notes);
     }
   }
 
@@ -103,23 +105,40 @@ class Validation {
     if (result.stopped) throw Stopped{};
   }
 
-  /// True when the claim needs no further look.
-  bool judge_one(const Claim& claim, int look, std::uint64_t seed, const std::map<std::string, std::string>& notes) {
-    if (options_.stop != nullptr && *options_.stop != 0) throw Stopped{};
-    try {
-      const std::vector<int> looks = looks_of(claim);
+  /// One look at each claim, side by side; those that need another one stay open.
+  void look_at(std::vector<Claim>& open, int look, std::uint64_t seed,
+               const std::map<std::string, std::string>& notes) {
+    const auto judge_one = [&](std::size_t k) {
+      const std::vector<int> looks = looks_of(open[k]);
       const Look this_look{look, static_cast<int>(looks.size()), looks.at(static_cast<std::size_t>(look - 1))};
-      Verdict verdict = review(claim, options_.tier, this_look, scenes_, store_, seed, options_.estimators);
-      if (verdict.outcome == Outcome::inconclusive && this_look.number < this_look.of) return false;
-      verdict.program_hash = program_;
-      if (const auto note = notes.find(claim.id); note != notes.end()) verdict.notes.push_back(note->second);
-      write_verdict(verdict, options_.store);
-      verdicts_.insert_or_assign(claim.id, std::move(verdict));
-    } catch (const Error& error) {
-      problems_.push_back({fmt::format("claim {}", claim.id), error.what(), error.status()});
-      verdicts_.erase(claim.id);
-    }
-    return true;
+      const Verdict verdict = review(open[k], options_.tier, this_look, scenes_, store_, seed, options_.estimators);
+      const bool is_last = verdict.outcome != Outcome::inconclusive || this_look.number == this_look.of;
+      return is_last ? verdict_text(verdict) : std::string();
+    };
+    std::set<std::string> undecided;
+    std::size_t judged = 0;
+    const auto take = [&](std::size_t k, const ForkedAnswer& answer) {
+      const std::string& id = open[k].id;
+      if (++judged; ::isatty(STDERR_FILENO) == 1)
+        fmt::print(stderr, "\rjudged {} of {} claims{}", judged, open.size(), judged == open.size() ? "\n" : "");
+      if (answer.status != ExitStatus::success) {
+        problems_.push_back({fmt::format("claim {}", id), answer.text, answer.status});
+        verdicts_.erase(id);
+      } else if (answer.text.empty()) {
+        undecided.insert(id);
+      } else {
+        keep(parse_verdict(answer.text, id), notes);
+      }
+    };
+    if (!forked_calls(open.size(), options_.jobs, judge_one, take, options_.stop)) throw Stopped{};
+    std::erase_if(open, [&](const Claim& claim) { return !undecided.contains(claim.id); });
+  }
+
+  void keep(Verdict verdict, const std::map<std::string, std::string>& notes) {
+    verdict.program_hash = program_;
+    if (const auto note = notes.find(verdict.claim_id); note != notes.end()) verdict.notes.push_back(note->second);
+    write_verdict(verdict, options_.store);
+    verdicts_.insert_or_assign(verdict.claim_id, std::move(verdict));
   }
 
   const ValidateOptions& options_;
