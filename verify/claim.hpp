@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,13 @@ struct ToleranceTerm {
   std::string name;      ///< for example "finite N"
   double value;          ///< half width that it adds to the band (relative or absolute: the claim's `tolerance_unit`)
   std::string evidence;  ///< where the number comes from
+};
+
+/// What a claim of the estimator `quantities` checks in each of its scenes: value is a QuantityExpression, wanted
+/// near a reference or within bounds.
+struct ClaimCheck {
+  std::string label, value;
+  std::optional<double> reference, least, most;  ///< the reference, or at least one of the others
 };
 
 /// A claim file, reference/claims/<id>.toml. Scenes are names in reference/scenes/ without ".toml",
@@ -41,6 +49,7 @@ struct Claim {
   std::string tolerance_unit;  ///< "relative", "absolute", ...: what the terms are measured in
   std::map<std::string, double, std::less<>> parameters;       ///< further numbers of the estimator
   std::map<std::string, std::string, std::less<>> structures;  ///< class claims of chapter 5: by scene
+  std::vector<ClaimCheck> checks;                              ///< of the estimator `quantities`
   std::vector<std::string> catches;                            ///< faults that the claim is there to catch
   bool transient = false;       ///< it reads the way to the steady state: its runs need not be stationary
   std::string reproduce;        ///< the one command that reproduces it (generated)

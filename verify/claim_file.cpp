@@ -9,18 +9,21 @@
 #include "gpf/base/hash.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "verify/claim.hpp"
+#include "verify/quantity_expression.hpp"
 #include "verify/toml_fields.hpp"
 
 namespace gpf {
 namespace {
 
 using Keys = std::span<const std::string_view>;
-constexpr std::array<std::string_view, 18> claim_keys{
+constexpr std::array<std::string_view, 19> claim_keys{
     "id",      "title",    "chapter",          "source",    "statement",  "method",
     "kind",    "expected", "expected_because", "estimator", "transient",  "tolerance_unit",
-    "catches", "scenes",   "replicas",         "tolerance", "parameters", "structures"};
+    "catches", "scenes",   "replicas",         "tolerance", "parameters", "structures",
+    "check"};
 constexpr std::array<std::string_view, 3> tier_keys{"quick", "standard", "full"};
 constexpr std::array<std::string_view, 3> term_keys{"name", "value", "evidence"};
+constexpr std::array<std::string_view, 5> check_keys{"label", "value", "reference", "least", "most"};
 constexpr std::array<std::int64_t, 5> replica_caps{1, 4, 8, 16, 32};
 
 /// The value of an enumeration, with the place in the file added to what `named` throws.
@@ -126,6 +129,36 @@ void read_tolerance(const TomlFields& file, Claim& claim) {
   if (file.has("tolerance_unit")) claim.tolerance_unit = file.text("tolerance_unit");
 }
 
+void read_checks(const TomlFields& file, Claim& claim) {
+  if (file.has("check") != (claim.estimator == "quantities"))
+    throw file.error(file.has("check") ? "check" : "estimator",
+                     file.has("check") ? "[[check]] is given" : "estimator = \"quantities\" without [[check]]",
+                     "it is what the estimator 'quantities' judges", "add what is missing, or remove it");
+  for (const TomlFields& fields : file.tables("check", "[[check]]", Keys(check_keys))) {
+    const auto number = [&](std::string_view key) {
+      return fields.has(key) ? std::optional(fields.number(key)) : std::nullopt;
+    };
+    ClaimCheck check{fields.has("label") ? fields.text("label") : fields.text("value"), fields.text("value"),
+                     number("reference"), number("least"), number("most")};
+    try {
+      parse_quantity_expression(check.value);
+    } catch (const InputError& error) {
+      throw fields.error("value", error.problem(), error.why(), error.remedy());
+    }
+    if (check.reference.has_value() == (check.least || check.most))
+      throw fields.error("value", fmt::format("what is wanted of \"{}\" is not clear", check.value),
+                         "a check has a reference, with the tolerance about it, or else bounds",
+                         "write reference = ..., or least = ... and most = ..., or one of the two");
+    if (check.reference && claim.tolerance_total() == 0)
+      throw fields.error("reference", "a reference without a tolerance", "no measured number meets it exactly",
+                         "add [[tolerance]] with its evidence");
+    if (check.least && check.most && !(*check.least <= *check.most))
+      throw fields.error("least", fmt::format("least = {} is above most = {}", *check.least, *check.most),
+                         "no number lies between them", "exchange them");
+    claim.checks.push_back(std::move(check));
+  }
+}
+
 }  // namespace
 
 Claim parse_claim(std::string_view text, const std::filesystem::path& path) {
@@ -150,6 +183,7 @@ Claim parse_claim(std::string_view text, const std::filesystem::path& path) {
   if (file.has("transient")) claim.transient = file.boolean("transient");
   read_scenes(file, claim);
   read_tolerance(file, claim);
+  read_checks(file, claim);
   if (file.has("parameters")) {
     const TomlFields parameters = file.table("parameters", "[parameters]", {});
     for (const TomlEntry& entry : parameters.entries()) claim.parameters[entry.key] = parameters.number(entry.key);
@@ -158,7 +192,9 @@ Claim parse_claim(std::string_view text, const std::filesystem::path& path) {
     const TomlFields structures = file.table("structures", "[structures]", {});
     for (const TomlEntry& entry : structures.entries()) claim.structures[entry.key] = structures.text(entry.key);
   }
-  claim.reproduce = "gpf validate " + claim.id;
+  const std::string folder = path.parent_path().parent_path().string();
+  const bool is_suite = folder.empty() || path.parent_path().parent_path().filename() == "reference";
+  claim.reproduce = fmt::format("gpf validate {}{}", is_suite ? "" : "--reference " + folder + " ", claim.id);
   claim.text_hash = hash_text(text);
   return claim;
 }

@@ -57,6 +57,15 @@ std::string runs(const Claim& claim) {
   return text;
 }
 
+std::string wanted(const ClaimCheck& check) {
+  std::string text = check.value;
+  if (check.label != check.value) text = fmt::format("{}: {}", check.label, text);
+  if (check.reference) text += fmt::format(" = {:.6g} within the tolerance", *check.reference);
+  if (check.least) text += fmt::format(" >= {:.6g}", *check.least);
+  if (check.most) text += fmt::format("{} <= {:.6g}", check.least ? " and" : "", *check.most);
+  return text;
+}
+
 }  // namespace
 
 std::string explain(const Claim& claim) {
@@ -65,12 +74,14 @@ std::string explain(const Claim& claim) {
   text += line("statement", claim.statement);
   text += line("method", claim.method);
   text += line("kind", name_of(claim.kind));
+  text += line("estimator", claim.estimator);
   text += line("expected", claim.expected_because.empty()
                                ? std::string(name_of(claim.expected))
                                : fmt::format("{}: {}", name_of(claim.expected), claim.expected_because));
   text += budget(claim) + runs(claim);
   for (const auto& [name, value] : claim.parameters) text += line("parameter", fmt::format("{} = {:.6g}", name, value));
-  for (const std::string& fault : claim.catches) text += line("catches", fault);
+  for (const ClaimCheck& check : claim.checks) text += line("check", wanted(check));
+  for (const std::string& fault : claim.catches) text += line("to catch", fault);
   return text + line("reproduce", claim.reproduce);
 }
 

@@ -8,7 +8,8 @@
 namespace gpf {
 
 /// Plain text: source, statement, method, expectation with its reason, the tolerance budget as a table with its sum,
-/// scenes and replicas by tier, parameters, the faults that it catches, the command that reproduces it.
+/// scenes and replicas by tier, estimator, parameters, checks, the faults that it is there to catch, the command that
+/// reproduces it.
 std::string explain(const Claim& claim);
 
 }  // namespace gpf

@@ -107,7 +107,7 @@ HealthCheck check_block_errors(const Fields& fields) {
     else
       tests.push_back(test);
   }
-  if (tests.empty()) return {name, true, "not judged with fewer than 8 replicas or 20 blocks" + explained};
+  if (tests.empty()) return {name, true, "too few to tell: it takes 8 replicas and 20 blocks" + explained};
   const double limit = health_false_alarm_rate / static_cast<double>(tests.size());
   const auto departs = [limit](const FieldTest& t) { return !(t.p >= limit); };
   const auto [least, largest] = std::minmax_element(

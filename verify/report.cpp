@@ -45,7 +45,7 @@ class ReportWriter {
     for (const char* folder : {"claims", "checks"}) create(output_ / folder);
   }
 
-  void claim(const JudgedClaim& judged, const ReleaseHistory& history) {
+  void claim(const JudgedClaim& judged, const ReportData& data) {
     const std::string& id = judged.claim.id;
     ClaimPictures pictures;
     if (const auto picture = checks_picture(judged.verdict)) {
@@ -62,8 +62,9 @@ class ReportWriter {
       pictures.drawings.push_back(fmt::format("{}+{}.svg", id, pictures.drawings.size() + 1));
       write(drawing.svg, "claims/" + pictures.drawings.back());
     }
-    const auto releases = history.find(id);
-    write(claim_page(judged, pictures, releases == history.end() ? std::vector<ReleaseEntry>() : releases->second),
+    const auto releases = data.history.find(id);
+    write(claim_page(judged, pictures, releases == data.history.end() ? std::vector<ReleaseEntry>() : releases->second,
+                     data.folders),
           fmt::format("claims/{}.md", id));
   }
 
@@ -133,7 +134,7 @@ class ReportWriter {
 
 fs::path write_report(const ReportData& data, const fs::path& output) {
   ReportWriter writer(output);
-  for (const JudgedClaim& judged : data.claims) writer.claim(judged, data.history);
+  for (const JudgedClaim& judged : data.claims) writer.claim(judged, data);
   writer.errata(data);
   writer.limits(data);
   fs::path front = writer.front(data);

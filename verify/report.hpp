@@ -12,7 +12,7 @@ namespace gpf {
 
 struct ReportOptions {
   Tier tier = Tier::quick;
-  std::filesystem::path store = "records", reference = "reference", output = "reports";
+  std::filesystem::path store = "records", reference = "reference", output;
   std::vector<std::string> claims{};  ///< those to report on; none: all of the tier
   bool release = false;               ///< keep what this version found in <output>/history/
 };

@@ -58,7 +58,7 @@ std::string margin_text(const JudgedCheck& c) {
   }
   const auto scaled = scaled_to_band(c);
   if (!scaled) return "exact";
-  return fmt::format("exact, {:.2g} % of band", 100 * std::max(std::abs(scaled->lo), std::abs(scaled->hi)));
+  return fmt::format("exact, {:.3g} % of band", 100 * std::max(std::abs(scaled->lo), std::abs(scaled->hi)));
 }
 
 std::string value_text(const JudgedCheck& c) {

@@ -70,6 +70,13 @@ std::string checks_text(const Verdict& verdict) {
   if (checks.size() > longest_open_table)
     text = fmt::format("The tightest:\n\n{}\n<details>\n<summary>All {} checks</summary>\n\n{}\n</details>\n",
                        table_of(checks, tightest(checks, rows_above_folded_table)), checks.size(), all);
+  const bool beyond = std::any_of(checks.begin(), checks.end(), [](const JudgedCheck& c) {
+    return c.outcome == Outcome::inconclusive && (c.interval.lo > c.check.band.hi || c.interval.hi < c.check.band.lo);
+  });
+  if (beyond)
+    text +=
+        "\nInconclusive although its interval lies outside of the band: with so many checks one would be seen there by "
+        "chance, and Holm's correction asks for more.\n";
   return text +
          "\nMargin: distance from the mean to the nearest edge of its band in standard errors (se), negative "
          "outside; of an exact check how far its worst value is from the band's centre.\n";
@@ -120,7 +127,7 @@ std::string drawings_text(const Verdict& verdict, const ClaimPictures& pictures)
   return text;
 }
 
-std::string cost_text(const Claim& claim, const Verdict& verdict) {
+std::string cost_text(const Claim& claim, const Verdict& verdict, const std::string& folders) {
   std::string text = fmt::format("{} of CPU time", duration_text(verdict.cpu_seconds));
   const std::vector<std::string> scenes = claim.scenes_in(verdict.tier);
   if (scenes.empty())
@@ -128,7 +135,9 @@ std::string cost_text(const Claim& claim, const Verdict& verdict) {
   else
     text += fmt::format(", runs that other claims read as well included: {} run(s) each of {}.\n", verdict.replicas,
                         fmt::join(scenes, ", "));
-  return text + fmt::format("\n    {}\n", reproduce_command(verdict));
+  text += fmt::format("\n    gpf validate --tier {}{}", name_of(verdict.tier), folders);
+  if (verdict.release_seed != 0) text += fmt::format(" --release-seed {}", verdict.release_seed);
+  return text + fmt::format(" {}\n", verdict.claim_id);
 }
 
 }  // namespace
@@ -139,14 +148,8 @@ std::string verdict_text_of(const Verdict& verdict) {
                                    : fmt::format("expected {}", name_of(verdict.expected)));
 }
 
-std::string reproduce_command(const Verdict& verdict) {
-  std::string command = fmt::format("gpf validate --tier {}", name_of(verdict.tier));
-  if (verdict.release_seed != 0) command += fmt::format(" --release-seed {}", verdict.release_seed);
-  return fmt::format("{} {}", command, verdict.claim_id);
-}
-
 std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
-                       const std::vector<ReleaseEntry>& history) {
+                       const std::vector<ReleaseEntry>& history, const std::string& folders) {
   const auto& [claim, verdict] = judged;
   std::string text = page_marker + head(claim, verdict);
   if (!pictures.checks.empty())
@@ -159,9 +162,9 @@ std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
   text += section("Tolerance budget", budget_text(claim, verdict));
   text += section("Health checks", health_text(verdict.health));
   text += section("Notes", list(verdict.notes, unused_tolerance(verdict.checks)));
-  text += section("What it catches", list(claim.catches));
+  text += section("What it is there to catch", list(claim.catches));
   text += section("History", history_table(history));
-  return text + section("Cost, and how to reproduce it", cost_text(claim, verdict));
+  return text + section("Cost, and how to reproduce it", cost_text(claim, verdict, folders));
 }
 
 }  // namespace gpf

@@ -17,14 +17,12 @@ struct ClaimPictures {
   std::vector<std::string> drawings;   ///< links to the verdict's drawings, in their order
 };
 
-/// The page as markdown. Parts for which there is nothing are left out. `history`: of the claim.
+/// The page as markdown. Parts for which there is nothing are left out. `history`: of the claim; `folders` as in
+/// ReportData.
 std::string claim_page(const JudgedClaim& judged, const ClaimPictures& pictures,
-                       const std::vector<ReleaseEntry>& history = {});
+                       const std::vector<ReleaseEntry>& history = {}, const std::string& folders = {});
 
 /// "fail, as expected (refuted)", "fail, expected reproduced".
 std::string verdict_text_of(const Verdict& verdict);
-
-/// "gpf validate --tier standard --release-seed 7 eos.virial"
-std::string reproduce_command(const Verdict& verdict);
 
 }  // namespace gpf

@@ -24,7 +24,8 @@ void add_report_command(CLI::App& app, int& status) {
   command->add_option("--store", options->store, "Folder of records and verdicts")->capture_default_str();
   add_reference_option(*command, options->reference);
   CLI::Option* output =
-      command->add_option("--output", options->output, "Folder for the report")->capture_default_str();
+      command->add_option("--output", options->output,
+                          "Folder for the report (default: quick-report, reports for tier standard, reports/full)");
   command->add_flag("--release", options->release, "Keep what this version found in history/ of the report");
   CLI::Option* html = command->add_option(
       "--html", *site, "Write no report but turn the one in --output, and the guide, into HTML pages in this folder");
@@ -32,11 +33,16 @@ void add_report_command(CLI::App& app, int& status) {
   command->footer(
       "The last line on standard output is the path of the front page. The exit status is 0 whatever the verdicts "
       "say.\n"
-      "Examples:\n  gpf report\n  gpf report --tier standard --release\n  gpf report --tier full --output reports/full "
+      "Examples:\n  gpf report        # of tier quick, into quick-report\n  gpf report --tier standard --release\n  "
+      "gpf report --tier full --output reports/full "
       "phase.moderate waves.pictures\n"
       "  gpf report --html site\n");
   command->callback([options, tier, site, output, html, &status] {
     status = static_cast<int>(ExitStatus::success);
+    if (output->count() == 0)  // what is released is not replaced by a report of a lower tier
+      options->output = html->count() > 0 || *tier == "standard" ? "reports"
+                        : *tier == "full"                        ? "reports/full"
+                                                                 : "quick-report";
     if (html->count() > 0) {
       fmt::print("{}\n", write_site({options->output, options->reference, *site}).string());
       return;

@@ -158,6 +158,8 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
   ReportData data = std::move(loader).finish();
   data.errata = std::move(errata);
   data.of_claims = of_claims;
+  if (reference.filename() != "reference") data.folders += " --reference " + reference.string();
+  if (store.filename() != "records") data.folders += " --store " + store.string();
   return data;
 }
 

@@ -112,15 +112,15 @@ std::string release_seed_option(const ReportData& data) {
 
 std::string reproduction(const ReportData& data) {
   std::string text = "\n## How to reproduce it\n\n";
-  if (data.tier == Tier::quick)
+  if (data.tier == Tier::quick && data.folders.empty())
     text += "From a fresh clone on Debian 12, dependencies included:\n\n    verify/quick\n\nOr, with gpf built:\n\n";
   std::string chosen;
   if (data.claims.size() < data.of_claims) {
     for (const JudgedClaim& c : data.claims) chosen += " " + c.claim.id;
   }
-  text += fmt::format("    gpf validate --tier {}{}{}\n    gpf report --tier {}{}{}\n", name_of(data.tier),
-                      release_seed_option(data), chosen, name_of(data.tier), chosen.empty() ? "" : " --output FOLDER",
-                      chosen);
+  text += fmt::format("    gpf validate --tier {}{}{}{}\n    gpf report --tier {}{}{}{}\n", name_of(data.tier),
+                      data.folders, release_seed_option(data), chosen, name_of(data.tier), data.folders,
+                      chosen.empty() ? "" : " --output FOLDER", chosen);
   return text + "\nThe seeds of this tier are " +
          (data.tier == Tier::quick
               ? "fixed, so that a verdict changes only when the program does.\n"

@@ -12,6 +12,7 @@
 #include "gpf/io/provenance.hpp"
 #include "gpf/scene/nearest_word.hpp"
 #include "verify/forked_calls.hpp"
+#include "verify/quantity_expression.hpp"
 #include "verify/validate_output.hpp"
 #include "verify/verdict_file.hpp"
 
@@ -49,6 +50,17 @@ class Validation {
                [](const std::string& line) { fmt::print(stderr, "gpf: {}\n", line); }),
         scenes_(options.reference),
         pool_{options.jobs, options.checkpoint_period, options.stop, options.run, options.command} {}
+
+  /// Before hours of runs: every estimator is known, and finds what it asks for.
+  void require_estimators(const std::vector<Claim>& claims) {
+    for (const Claim& claim : claims) {
+      static_cast<void>(options_.estimators(claim.estimator));
+      if (claim.checks.empty()) continue;
+      for (const std::string& name : claim.scenes_in(options_.tier))
+        for (const NamedScene& scene : scenes_.of(name))
+          require_quantities(claim, scene.name, scene.file.scene, scene.file.run);
+    }
+  }
 
   /// The first look's records of the scenes that options.only_runs names.
   void run_only(const std::vector<Claim>& claims, std::uint64_t seed) {
@@ -196,6 +208,7 @@ ValidateResult judge_claims(const ValidateOptions& options) {
     fmt::print(stderr, "release seed {}: --release-seed {} repeats these runs\n", seed, seed);
   }
   Validation validation(options);
+  validation.require_estimators(claims);
   bool stopped = false;
   try {
     if (!options.only_runs.empty()) {

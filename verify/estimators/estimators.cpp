@@ -15,7 +15,8 @@ namespace gpf {
 namespace {
 
 constexpr auto estimators = std::to_array<std::pair<std::string_view, Estimator>>(
-    {{"eos_global", estimate_eos_global},
+    {{"quantities", estimate_quantities},
+     {"eos_global", estimate_eos_global},
      {"eos_virial", estimate_eos_virial},
      {"two_codes", estimate_two_codes},
      {"steady", estimate_steady},

@@ -5,6 +5,9 @@
 
 namespace gpf {
 
+// Any quantity that is measured, as the claim file says.
+Evidence estimate_quantities(const Claim& claim, Tier tier, const SceneRecords& records);
+
 // Chapter 2: the code itself.
 Evidence estimate_eos_global(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_eos_virial(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -113,7 +113,9 @@ Candidate candidate_of(const std::string& method, const std::vector<const ChartP
 
 bool alike(const Scene& known, const Scene& scene) {
   const auto &a = known.wall_tangential_restitution, &b = scene.wall_tangential_restitution;
-  const auto same_slip = [&](Wall wall) { return within_factor(slip_strength(a[wall]), slip_strength(b[wall]), 3.5); };
+  const auto same_slip = [&](std::size_t wall) {
+    return within_factor(slip_strength(a[wall]), slip_strength(b[wall]), 3.5);
+  };
   return within_factor(known.area_fraction(), scene.area_fraction(), 2) &&
          within_factor(1.01 - known.normal_restitution, 1.01 - scene.normal_restitution, 2) &&
          within_factor(known.width_over_diameter, scene.width_over_diameter, 1.7) && same_slip(lower) &&

@@ -36,6 +36,32 @@ BOOST_AUTO_TEST_CASE(a_complete_file_is_read) {
   BOOST_TEST(c.reproduce == "gpf validate eos.example");
 }
 
+BOOST_AUTO_TEST_CASE(it_is_reproduced_where_it_lies) {
+  BOOST_TEST(parse_claim(claim_text, "here/reference/claims/eos.example.toml").reproduce == "gpf validate eos.example");
+  BOOST_TEST(parse_claim(claim_text, "mine/claims/eos.example.toml").reproduce ==
+             "gpf validate --reference mine eos.example");
+}
+
+BOOST_AUTO_TEST_CASE(checks_belong_to_one_estimator_and_say_what_is_wanted) {
+  const std::string spelled = replaced(claim_text, "estimator = \"eos_example\"", "estimator = \"quantities\"");
+  const auto with = [&](const std::string& check) {
+    return parse_claim(spelled + "\n[[check]]\n" + check, "eos.example.toml").checks.at(0);
+  };
+  BOOST_TEST(with("value = \"mean_flow\"\nreference = 2").reference.value() == 2);
+  BOOST_TEST(with("value = \"mean_flow\"\nreference = 2").label == "mean_flow");
+  const ClaimCheck bounds = with("label = \"flow\"\nvalue = \"mean_flow / centre_velocity\"\nleast = -1\nmost = 3.5");
+  BOOST_TEST(bounds.label == "flow");
+  BOOST_TEST(bounds.least.value() == -1);
+  BOOST_TEST(bounds.most.value() == 3.5);
+  for (const char* wrong :
+       {"value = \"mean_flow\"", "value = \"mean_flow\"\nreference = 2\nleast = 1", "value = \"mean flow\"\nleast = 1",
+        "value = \"mean_flow\"\nleast = 2\nmost = 1", "least = 1", "value = \"mean_flow\"\nleast = 1\nextra = 1"})
+    BOOST_CHECK_THROW(with(wrong), InputError);
+  BOOST_CHECK_THROW(parse_claim(spelled, "eos.example.toml"), InputError);
+  BOOST_CHECK_THROW(parse_claim(claim_text + "\n[[check]]\nvalue = \"mean_flow\"\nleast = 1", "eos.example.toml"),
+                    InputError);
+}
+
 BOOST_AUTO_TEST_CASE(any_change_of_the_text_changes_its_hash) {
   const std::string other = replaced(claim_text, "measured with 4 N", "measured with 8 N");
   BOOST_TEST(parse_claim(claim_text, "eos.example.toml").text_hash ==

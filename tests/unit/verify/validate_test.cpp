@@ -125,11 +125,25 @@ BOOST_AUTO_TEST_CASE(an_estimator_that_gives_up_leaves_no_old_verdict_behind) {
   claim("inside", 9, 11);
   BOOST_TEST(validate(options) == 0);
   BOOST_TEST(has_verdict("inside"));
-  options.estimators = [](std::string_view name) -> Estimator {
-    throw InputError("unknown estimator '" + std::string(name) + "'", "there is none", "correct it");
+  options.estimators = [](std::string_view) -> Estimator {
+    return [](const Claim&, Tier, const SceneRecords&) -> Evidence {
+      throw InputError("it found nothing to check", "the records are of another kind", "correct it");
+    };
   };
   BOOST_TEST(validate(options) == 2);
   BOOST_TEST(!has_verdict("inside"));
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_estimator_is_refused_before_anything_runs) {
+  claim("inside", 9, 11);
+  options.estimators = [](std::string_view name) -> Estimator {
+    throw InputError("unknown estimator '" + std::string(name) + "'", "there is none", "correct it");
+  };
+  options.run = [](const SceneFile&, const SimulationOptions&) -> std::optional<Record> {
+    throw std::logic_error("it ran");
+  };
+  BOOST_CHECK_THROW(validate(options), InputError);
+  BOOST_TEST(!std::filesystem::exists(options.store / "verdicts"));
 }
 
 BOOST_AUTO_TEST_CASE(a_stop_ends_with_its_own_status) {
