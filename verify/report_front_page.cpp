@@ -156,6 +156,16 @@ std::string front_page(const ReportData& data, const std::string& picture, const
   text +=
       fmt::format("# Validation report, tier {}{}\n\n{}", name_of(data.tier),
                   chosen ? fmt::format(", {} of its {} claims", data.claims.size(), data.of_claims) : "", totals(data));
+  if (data.folders.empty())
+    text +=
+        "\nChapters, sections, figures and equations are those of V. K. Chikkadi's thesis *Particle Dynamics "
+        "Simulation of "
+        "Gravity Driven Granular\nPoiseuille Flow*. nu: area fraction; e_n: normal restitution of two disks, 1 "
+        "elastic; "
+        "beta_w: tangential restitution of a wall, 1 smooth;\nd, W, L: diameter of a disk, width and length of the "
+        "channel; "
+        "T: granular temperature; N_1: first normal stress difference; Kn: Knudsen\nnumber. Refuted: the simulation "
+        "contradicts the source, as the claim expects and its page shows.\n";
   text += "\n## Red or inconclusive\n\n" + troubles(data);
   text +=
       "\n## Claims\n\n" + claims_table(data) +
