@@ -82,7 +82,7 @@ void print_advice(const Scene& scene, const Advice& advice, const Observable& ob
     rows.push_back({c.method, c.usable() && std::isfinite(c.cpu_seconds) ? fmt::format("{:.2g}", c.cpu_seconds) : "",
                     c.usable() ? fmt::format("{:.2g}", c.error_at_most()) : "", c.usable() ? "yes" : c.why_not});
   fmt::print("{}", markdown_table({"method", "CPU s", "error at most", "will it do?"}, rows));
-  fmt::print("\nmeasured on\n");
+  if (!best.evidence.empty()) fmt::print("\nmeasured on\n");
   for (const std::string& line : best.evidence) fmt::print("- {}\n", line);
 }
 

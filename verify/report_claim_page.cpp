@@ -30,6 +30,13 @@ std::string list(const std::vector<std::string>& items, std::string_view not_thi
   return text;
 }
 
+/// Of a tier that reads fewer scenes than a higher one: what is stated is tested in part.
+std::string part_text(const Claim& claim, Tier tier) {
+  const std::size_t here = claim.scenes_in(tier).size(), all = claim.scenes_in(Tier::full).size();
+  if (here >= all) return {};
+  return fmt::format("\nIn part: this tier reads {} of the {} scenes that the claim has in higher tiers.\n", here, all);
+}
+
 std::string head(const Claim& claim, const Verdict& verdict) {
   std::string text = fmt::format("# {}: {}\n\n[All claims](../README.md)\n\n", claim.id, markdown_text(claim.title));
   text += fmt::format("> {}\n\n", markdown_text(claim.statement));
@@ -47,7 +54,7 @@ std::string head(const Claim& claim, const Verdict& verdict) {
   if (statistical(true))  // judged at its own level, shared over as many looks
     text += fmt::format("; each end of the interval of a share errs with probability {:.2g}",
                         verdict.alpha * share_alpha_per_direction / alpha_per_direction);
-  return text + ".\n";
+  return text + ".\n" + part_text(claim, verdict.tier);
 }
 
 std::string table_of(const std::vector<JudgedCheck>& checks, const std::vector<std::size_t>& rows) {
