@@ -1,10 +1,13 @@
-// Nanoseconds for a cache line that is read at random, by the size of the memory that it lies in: what the engine's
-// cost per collision is to be held against (lib/gpf/event/DECISIONS.md).
+// Nanoseconds for a cache line that is read at random, by the size of the memory that it lies in, and for a word that
+// one core waits for from another: what the cost per collision is to be held against (lib/gpf/event/DECISIONS.md).
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "gpf/base/random.hpp"
@@ -52,6 +55,25 @@ Cost cost_of_a_line(std::size_t bytes) {
   return {alone, fetched};
 }
 
+/// Two threads that wait for each other's word, as two cores that work on one scene would have to: nanoseconds of wall
+/// time for each word.
+double cost_of_a_word() {
+  constexpr std::int64_t words = 1'000'000;
+  alignas(64) std::atomic<std::int64_t> said{0};
+  const auto speak = [&said](std::int64_t first) {
+    for (std::int64_t word = first; word < words; word += 2) {
+      while (said.load(std::memory_order_acquire) != word) {
+      }
+      said.store(word + 1, std::memory_order_release);
+    }
+  };
+  const auto began = std::chrono::steady_clock::now();
+  std::thread other(speak, 1);
+  speak(0);
+  other.join();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - began).count() / words;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -61,4 +83,6 @@ int main(int count, char** arguments) {
     const Cost cost = cost_of_a_line(static_cast<std::size_t>(megabytes * 1e6));
     std::printf("%10.3g %16.1f %22.1f\n", megabytes, cost.alone, cost.fetched);
   }
+  if (count == 1 && std::thread::hardware_concurrency() > 1)
+    std::printf("a word from one core to another: %.0f ns\n", cost_of_a_word());
 }
