@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <new>
 #include <type_traits>
 
 namespace gpf::hdf5 {
@@ -19,22 +20,32 @@ Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, handler_, handler_data_); }
 namespace {
 
 /// The innermost entry of HDF5's error stack says what actually went wrong; the others who asked for it.
-std::string reason() {
+struct Reason {
   std::string why;
+  bool no_memory = false;
+};
+Reason reason() {
+  Reason reason;
   const auto keep_first = [](unsigned, const H5E_error2_t* entry, void* out) -> herr_t {
-    *static_cast<std::string*>(out) = entry->desc != nullptr ? entry->desc : "";
+    auto& kept = *static_cast<Reason*>(out);
+    kept.why = entry->desc != nullptr ? entry->desc : "";
+    kept.no_memory =
+        entry->maj_num == H5E_RESOURCE && (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC);
     return 1;
   };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &why);
-  return "HDF5: " + (why.empty() ? "no reason given" : why);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
+  reason.why = "HDF5: " + (reason.why.empty() ? "no reason given" : reason.why);
+  return reason;
 }
 
 }  // namespace
 
 template <typename Result>
 Result check(Result result) {
-  if (result < 0) throw Failure{reason()};
-  return result;
+  if (result >= 0) return result;
+  const Reason why = reason();
+  if (why.no_memory) throw std::bad_alloc();  // no fault of the file: it is not to be deleted
+  throw Failure{why.why};
 }
 template int check(int);
 template std::int64_t check(std::int64_t);

@@ -25,7 +25,8 @@ class Quiet {
   void* handler_data_ = nullptr;
 };
 
-/// Passes the result of an HDF5 call on. @throws Failure with HDF5's innermost reason when it is negative.
+/// Passes the result of an HDF5 call on. @throws Failure with HDF5's innermost reason when it is negative;
+/// std::bad_alloc when that is want of memory.
 template <typename Result>
 Result check(Result result);
 
