@@ -11,19 +11,9 @@
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/record.hpp"
+#include "verify/command_text.hpp"
 
 namespace gpf {
-namespace {
-
-/// Between single quotes, for a shell.
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
-}  // namespace
-
 Manifest plan(const Campaign& campaign, const std::vector<int>& replicas, const Manifest& before) {
   Manifest manifest = before;
   std::map<std::string, std::size_t> known;

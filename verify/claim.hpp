@@ -52,7 +52,6 @@ struct Claim {
   std::vector<ClaimCheck> checks;                              ///< of the estimator `quantities`
   std::vector<std::string> catches;                            ///< faults that the claim is there to catch
   bool transient = false;       ///< it reads the way to the steady state: its runs need not be stationary
-  std::string reproduce;        ///< the one command that reproduces it (generated)
   std::uint64_t text_hash = 0;  ///< hash_text of the file: a verdict on another text is stale
 
   /// Sum of the terms.

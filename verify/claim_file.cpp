@@ -192,9 +192,6 @@ Claim parse_claim(std::string_view text, const std::filesystem::path& path) {
     const TomlFields structures = file.table("structures", "[structures]", {});
     for (const TomlEntry& entry : structures.entries()) claim.structures[entry.key] = structures.text(entry.key);
   }
-  const std::string folder = path.parent_path().parent_path().string();
-  const bool is_suite = folder.empty() || path.parent_path().parent_path().filename() == "reference";
-  claim.reproduce = fmt::format("gpf validate {}{}", is_suite ? "" : "--reference " + folder + " ", claim.id);
   claim.text_hash = hash_text(text);
   return claim;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "verify/command_text.hpp"
 #include "verify/judge.hpp"
 
 namespace gpf {
@@ -68,7 +69,7 @@ std::string wanted(const ClaimCheck& check) {
 
 }  // namespace
 
-std::string explain(const Claim& claim) {
+std::string explain(const Claim& claim, const std::filesystem::path& reference) {
   std::string text = fmt::format("{} - {}\n\n", claim.id, claim.title);
   text += line("source", fmt::format("chapter {}, {}", claim.chapter, claim.source));
   text += line("statement", claim.statement);
@@ -82,7 +83,7 @@ std::string explain(const Claim& claim) {
   for (const auto& [name, value] : claim.parameters) text += line("parameter", fmt::format("{} = {:.6g}", name, value));
   for (const ClaimCheck& check : claim.checks) text += line("check", wanted(check));
   for (const std::string& fault : claim.catches) text += line("to catch", fault);
-  return text + line("reproduce", claim.reproduce);
+  return text + line("reproduce", fmt::format("gpf validate{} {}", folder_options(reference), claim.id));
 }
 
 }  // namespace gpf

@@ -25,7 +25,7 @@ void print_explanation(const ExplainOptions& options) {
   std::vector<std::string_view> ids;
   for (const Claim& claim : claims) {
     if (claim.id == options.claim) {
-      fmt::print("{}", explain(claim));
+      fmt::print("{}", explain(claim, options.reference));
       return;
     }
     ids.push_back(claim.id);

@@ -1,21 +1,19 @@
 #include "verify/forked_calls.hpp"
 
-#include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "verify/forked_process.hpp"
 #include "verify/out_of_memory.hpp"
 
 namespace gpf {
@@ -53,22 +51,9 @@ struct Caller {
 }
 
 Caller start(const std::function<std::string(std::size_t)>& f, std::size_t k) {
-  std::array<int, 2> ends{};
-  std::fflush(nullptr);
-  const bool piped = ::pipe(ends.data()) == 0;
-  const pid_t child = piped ? ::fork() : -1;
-  if (child < 0) {
-    const int failure = errno;
-    if (piped) ::close(ends[0]), ::close(ends[1]);
-    throw StorageError("cannot start a process", std::generic_category().message(failure), "use fewer --jobs");
-  }
-  if (child == 0) {
-    ::close(ends[0]);
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody is left to answer
-    answer(call(f, k), ends[1]);
-  }
-  ::close(ends[1]);
-  return {child, ends[0], k, {}};
+  // SIGKILL: nobody is left to answer.
+  const auto [process, pipe] = fork_process(SIGKILL, [&](int told) { answer(call(f, k), told); });
+  return {process, pipe, k, {}};
 }
 
 /// Appends what has come to the text; false at its end.
@@ -82,11 +67,10 @@ bool listen(Caller& caller) {
 
 ForkedAnswer finish(const Caller& caller) {
   ::close(caller.pipe);
-  int status = 0;
-  while (::waitpid(caller.process, &status, 0) < 0 && errno == EINTR) continue;
+  const int status = wait_for(caller.process);
   if (WIFEXITED(status)) return {caller.text, static_cast<ExitStatus>(WEXITSTATUS(status))};
-  return {fmt::format("its process was ended by signal {}: is there memory enough?", WTERMSIG(status)),
-          ExitStatus::storage};
+  const SignalEnd end = ended_by(WTERMSIG(status));
+  return {end.what, end.status};
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ std::vector<double> values_of(const QuantityExpression::Term& term, const SceneV
   return scene.of(term.quantity, bin_of(term.place) - 1);
 }
 
-void require(const QuantityExpression::Term& term, const std::vector<Quantity>& measured, const std::string& scene) {
+void require(const QuantityExpression::Term& term, const std::vector<Quantity>& measured, int bins,
+             const std::string& scene) {
   std::vector<std::string_view> names;
   for (const Quantity& q : measured) {
     names.push_back(q.name);
@@ -60,6 +61,9 @@ void require(const QuantityExpression::Term& term, const std::vector<Quantity>& 
                        q.several ? fmt::format("it has {} values, and no place is named", q.values.size())
                                  : fmt::format("it is one value, and '{}' is asked of it", term.place),
                        q.several ? "say where: 'at centre', 'at walls', 'at bin 3'" : "leave out the place");
+    if (bin_of(term.place) == 0 && !term.place.empty() && static_cast<int>(q.values.size()) != bins)
+      throw InputError(fmt::format("{} at {} of scene {}", q.name, term.place, scene),
+                       "it has one value per wavenumber, not per bin", "write 'at bin K' for wavenumber K");
     if (bin_of(term.place) > static_cast<int>(q.values.size()))
       throw InputError(fmt::format("{} at {} of scene {}", q.name, term.place, scene),
                        fmt::format("it has {} values", q.values.size()), "name one of them");
@@ -97,8 +101,8 @@ void require_quantities(const Claim& claim, const std::string& scene_name, const
   const std::vector<Quantity> measured = derive_quantities(scene, layout, std::vector<double>(layout.size(), 0.0));
   for (const ClaimCheck& check : claim.checks) {
     const QuantityExpression expression = parse_quantity_expression(check.value);
-    require(expression.first, measured, scene_name);
-    if (expression.operation != 0) require(expression.second, measured, scene_name);
+    require(expression.first, measured, run.bins, scene_name);
+    if (expression.operation != 0) require(expression.second, measured, run.bins, scene_name);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "gpf/base/error.hpp"
 #include "gpf/event/physics_version.hpp"
 #include "gpf/io/record.hpp"
+#include "verify/command_text.hpp"
 #include "verify/planner.hpp"
 #include "verify/verdict_file.hpp"
 
@@ -158,8 +159,7 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
   ReportData data = std::move(loader).finish();
   data.errata = std::move(errata);
   data.of_claims = of_claims;
-  if (reference.filename() != "reference") data.folders += " --reference " + reference.string();
-  if (store.filename() != "records") data.folders += " --store " + store.string();
+  data.folders = folder_options(reference, store);
   return data;
 }
 

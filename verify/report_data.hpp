@@ -43,7 +43,7 @@ struct ReportData {
   std::set<std::string> dates;              ///< of the runs, "2024-05-06"
   std::uint64_t collisions = 0;             ///< of all runs, each counted once
   std::size_t runs = 0;
-  std::string folders;     ///< " --reference mine --store there", where they are not those of the suite
+  std::string folders;     ///< folder_options() of what it was loaded from
   double cpu_seconds = 0;  ///< of all runs, each counted once, and of the estimators
 };
 

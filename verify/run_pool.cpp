@@ -1,8 +1,6 @@
 #include "verify/run_pool.hpp"
 
-#include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,19 +8,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <system_error>
 
+#include "verify/forked_process.hpp"
 #include "verify/pool_progress.hpp"
 #include "verify/pool_worker.hpp"
 
 namespace gpf {
 namespace {
-
-StorageError cannot_start(int error_number) {
-  return {"cannot start a process for a run", std::generic_category().message(error_number), "use fewer --jobs"};
-}
 
 /// A child and the pipe that it reports through.
 struct Worker {
@@ -34,25 +27,8 @@ struct Worker {
 };
 
 Worker start(const RecordStore& store, const std::vector<RunJob>& jobs, std::size_t job, const PoolOptions& options) {
-  std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) throw cannot_start(errno);
-  std::fflush(nullptr);
-  const pid_t parent = ::getpid(), child = ::fork();
-  if (child < 0) {
-    const int failure = errno;
-    ::close(ends[0]);
-    ::close(ends[1]);
-    throw cannot_start(failure);
-  }
-  if (child == 0) {
-    ::close(ends[0]);
-    ::signal(SIGPIPE, SIG_IGN);
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (::getppid() != parent) ::raise(SIGTERM);  // it died before it could be asked to tell
-    work(store, jobs[job], options, ends[1]);
-  }
-  ::close(ends[1]);
-  return {child, ends[0], job, {}, {}};
+  const auto [process, pipe] = fork_process(SIGTERM, [&](int report) { work(store, jobs[job], options, report); });
+  return {process, pipe, job, {}, {}};
 }
 
 /// Reads what a worker has written; false at the end of its reports.
@@ -72,16 +48,6 @@ bool read_reports(Worker& worker, PoolProgress& progress) {
   return true;
 }
 
-int wait_for(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) throw cannot_start(errno);
-  return status;
-}
-
-/// A signal from outside, not from what the process did: the system is short of memory, or somebody ended it.
-bool is_from_outside(int signal) { return signal == SIGKILL || signal == SIGTERM || signal == SIGXCPU; }
-
 /// How a process ended, if not well; a run that was stopped leaves `stopped` set.
 std::optional<RunFailure> failure_of(const Worker& worker, const std::string& label, bool asked, bool& stopped) {
   const int status = wait_for(worker.process);
@@ -90,11 +56,8 @@ std::optional<RunFailure> failure_of(const Worker& worker, const std::string& la
       stopped = true;
       return std::nullopt;
     }
-    const int signal = WTERMSIG(status);
-    if (is_from_outside(signal))
-      return RunFailure{label, fmt::format("ended by signal {}, from outside: is there memory enough?", signal),
-                        ExitStatus::storage};
-    return RunFailure{label, fmt::format("ended by signal {}", signal), ExitStatus::physics};
+    const SignalEnd end = ended_by(WTERMSIG(status));
+    return RunFailure{label, end.what, end.status};
   }
   const auto exit = static_cast<ExitStatus>(WEXITSTATUS(status));
   if (exit == ExitStatus::interrupted) stopped = true;

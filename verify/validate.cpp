@@ -128,13 +128,14 @@ class Validation {
       return is_last ? verdict_text(verdict) : std::string();
     };
     std::set<std::string> undecided;
+    std::map<std::size_t, ValidateProblem> problems;  // answers come in any order
     std::size_t judged = 0;
     const auto take = [&](std::size_t k, const ForkedAnswer& answer) {
       const std::string& id = open[k].id;
       if (++judged; ::isatty(STDERR_FILENO) == 1)
         fmt::print(stderr, "\rjudged {} of {} claims{}", judged, open.size(), judged == open.size() ? "\n" : "");
       if (answer.status != ExitStatus::success) {
-        problems_.push_back({fmt::format("claim {}", id), answer.text, answer.status});
+        problems.insert({k, {fmt::format("claim {}", id), answer.text, answer.status}});
         verdicts_.erase(id);
       } else if (answer.text.empty()) {
         undecided.insert(id);
@@ -143,6 +144,7 @@ class Validation {
       }
     };
     if (!forked_calls(open.size(), options_.jobs, judge_one, take, options_.stop)) throw Stopped{};
+    for (auto& [k, problem] : problems) problems_.push_back(std::move(problem));
     std::erase_if(open, [&](const Claim& claim) { return !undecided.contains(claim.id); });
   }
 

@@ -145,7 +145,7 @@ std::optional<FaultTrial> try_fault(const Fault& fault, double dose, const std::
   if (open.empty()) return trial;
 
   ValidateOptions validate = judging(open, options);
-  validate.store = folder(fault, options) / fmt::format("records-{:.6g}-{}", dose, sources());
+  validate.store = folder(fault, options) / fmt::format("records-{}-{}", dose, sources());
   validate.run = simulate_with(fault, dose, options.store);
   keep_only(validate.store);
   const ValidateResult result = judge_claims(validate);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "verify/command_text.hpp"
+
 namespace gpf {
 namespace {
 
@@ -35,7 +37,7 @@ std::string fish_quoted(const std::string& text) {
 }
 
 /// A word of a command line, with a space before it.
-std::string zsh_quoted(const std::string& text) { return " '" + replaced(text, '\'', "'\\''") + "'"; }
+std::string zsh_quoted(const std::string& text) { return " " + shell_word(text); }
 
 /// For within a specification of _arguments.
 std::string zsh_escaped(std::string text) {

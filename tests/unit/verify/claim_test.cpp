@@ -33,13 +33,6 @@ BOOST_AUTO_TEST_CASE(a_complete_file_is_read) {
   BOOST_TEST(c.parameter("highest_area_fraction") == 0.4);
   BOOST_TEST(c.parameter("whole") == 3);
   BOOST_CHECK_THROW(static_cast<void>(c.parameter("other")), InputError);
-  BOOST_TEST(c.reproduce == "gpf validate eos.example");
-}
-
-BOOST_AUTO_TEST_CASE(it_is_reproduced_where_it_lies) {
-  BOOST_TEST(parse_claim(claim_text, "here/reference/claims/eos.example.toml").reproduce == "gpf validate eos.example");
-  BOOST_TEST(parse_claim(claim_text, "mine/claims/eos.example.toml").reproduce ==
-             "gpf validate --reference mine eos.example");
 }
 
 BOOST_AUTO_TEST_CASE(checks_belong_to_one_estimator_and_say_what_is_wanted) {

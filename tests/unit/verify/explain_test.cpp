@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "unit/verify/claim_text.hpp"
+#include "verify/command_text.hpp"
 
 using namespace gpf;
 
@@ -32,6 +33,17 @@ BOOST_AUTO_TEST_CASE(long_texts_are_broken_at_spaces_and_nothing_is_lost) {
   std::size_t begin = 0;
   for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
     BOOST_TEST(end - begin <= 100U);
+}
+
+BOOST_AUTO_TEST_CASE(it_is_reproduced_where_it_lies) {
+  const Claim claim = parse_claim(test::claim_text, "eos.example.toml");
+  for (const char* suite : {"reference", "/usr/share/gpf/reference", "here/reference/"})
+    BOOST_TEST(explain(claim, suite).ends_with("reproduce     gpf validate eos.example\n"), suite);
+  BOOST_TEST(explain(claim, "mine").ends_with("gpf validate --reference mine eos.example\n"));
+  BOOST_TEST(
+      explain(claim, "it's mine; rm x").ends_with("gpf validate --reference 'it'\\''s mine; rm x' eos.example\n"));
+  BOOST_TEST(folder_options("mine", "a/records") == " --reference mine");
+  BOOST_TEST(folder_options("reference", "there") == " --store there");
 }
 
 BOOST_AUTO_TEST_CASE(a_claim_without_runs_and_tolerance_says_so) {

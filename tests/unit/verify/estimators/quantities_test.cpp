@@ -92,6 +92,12 @@ BOOST_AUTO_TEST_CASE(what_a_scene_does_not_measure_is_refused_before_it_runs) {
   BOOST_TEST(refused("mean_velocity").find("no place is named") != std::string::npos);
   BOOST_TEST(refused("mean_flow at centre").find("leave out the place") != std::string::npos);
   BOOST_TEST(refused("mean_velocity at bin 7").find("it has 6 values") != std::string::npos);
+  const SceneFile waves = parse_scene(test::channel_text(0.3) + "density_modes = 2\n", "made.toml");
+  Claim modes;
+  modes.checks.push_back({"", "density_power_odd at bin 2", {}, 0.0, {}});
+  BOOST_CHECK_NO_THROW(require_quantities(modes, "made", waves.scene, waves.run));
+  modes.checks.front().value = "density_power_odd at walls";
+  BOOST_CHECK_THROW(require_quantities(modes, "made", waves.scene, waves.run), InputError);
   BOOST_TEST(refused("compressibility").find("no quantity") != std::string::npos);  // of periodic scenes
 }
 

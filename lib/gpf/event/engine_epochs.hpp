@@ -1,0 +1,92 @@
+// The engine's epochs: at the start of each all disks are brought to one time, the frame is boosted to the mean flow,
+// the disks are put in the order of their cells, and everything is predicted anew.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "gpf/event/engine.hpp"
+
+namespace gpf {
+
+template <class Queue, class Physics>
+template <class Observer>
+void Engine<Queue, Physics>::advance(double time, Observer&& observer) {
+  while (time >= epoch_end()) {
+    run_until(epoch_length_, observer);
+    next_epoch();
+  }
+  if (time > this->time()) run_until(time - epoch_start(), observer);
+}
+
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::next_epoch() {
+  std::vector<Flight> flights(plans_.size());
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    flights[k] = flown(disks_[k].flight, epoch_length_);
+    flights[k].time = 0;
+    plans_[k].last_contact -= epoch_length_;
+  }
+  frame_offset_ += epoch_length_ * (frame_velocity_ + 0.5 * gravity_ * epoch_length_);
+  frame_offset_ -= length_ * std::floor(frame_offset_ / length_);
+  frame_velocity_ = frame_velocity_at(epoch_length_);
+  events_per_time_ = static_cast<double>(counts_.examined() - events_before_) / epoch_length_;
+  if (watched_ >= 0) watched_ -= epoch_length_;
+  ++epoch_;
+  boost(flights);
+  begin_epoch(flights);
+}
+
+/// Takes the frame to the mean flow, less half of the coming fall, so that disks cross few cells. The mean is summed in
+/// fixed point: exact in any order.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::boost(std::vector<Flight>& flights) {
+  if (gravity_ == 0) return;
+  const double unit = scene_.velocity_scale() * 0x1p-30;
+  std::int64_t sum = 0;
+  for (const Flight& f : flights) sum += static_cast<std::int64_t>(f.vx / unit);
+  const double mean = static_cast<double>(sum) / static_cast<double>(flights.size()) * unit;
+  const double step = mean - 0.5 * gravity_ * epoch_length_;
+  for (Flight& f : flights) f.vx -= step;
+  frame_velocity_ += step;
+}
+
+/// flights[k] belongs to plans_[k].
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
+  now_ = 0;
+  events_before_ = counts_.examined();
+  settle(flights);
+  queue_.reset(plans_.size(), epoch_length_, events_per_time_);
+  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict<true>(i);
+}
+
+/// Puts the disks into their cells, and neighbours beside each other in memory: disks are renumbered along the cells.
+/// Changes no trajectory, for they keep their ids.
+template <class Queue, class Physics>
+void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
+  std::vector<std::size_t> first(cells_.size() + 1, 0);
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    plans_[k].place = cells_.locate(flights[k].x, flights[k].y);
+    ++first[cells_.number(plans_[k].place) + 1];
+  }
+  for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
+  cells_.clear();
+  std::vector<Disk, HugePages<Disk>> disks(disks_.size());
+  std::vector<Plan, HugePages<Plan>> plans(plans_.size());
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    const std::size_t i = first[cells_.number(plans_[k].place)]++;
+    plans[i] = plans_[k];
+    disks[i].flight = flights[k];
+    disks[i].id = disks_[k].id;
+    cells_.insert(plans[i].place, static_cast<Index>(i));
+  }
+  disks.back().flight.x = disks.back().flight.y = std::numeric_limits<double>::quiet_NaN();
+  disks_.swap(disks);
+  plans_.swap(plans);
+}
+
+}  // namespace gpf
