@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
 #include "gpf/scene/scene.hpp"
+#include "gpf/scene/start.hpp"
 
 namespace gpf::performance {
 
@@ -17,6 +19,16 @@ inline Scene periodic(std::int32_t particles, double area_fraction) {
   scene.length_over_width = 1;
   scene.width_over_diameter = std::sqrt(std::numbers::pi * particles / (4 * area_fraction));
   return scene;
+}
+
+/// All disks of a periodic scene close together in a square of side 1.2 d N^(1/2), with the velocities of its start.
+inline State clump(const Scene& scene) {
+  State state = start_state(scene);
+  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(scene.particles)));
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    state.position[i] = {1.2 * scene.diameter() * static_cast<double>(i % side),
+                         1.2 * scene.diameter() * static_cast<double>(i / side)};
+  return state;
 }
 
 /// N = 900, W/d = 31, beta_w = 0.9, g = 1 and the default TC time.

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 
 #include "gpf/event/engine.hpp"
 #include "gpf/scene/start.hpp"
@@ -13,14 +13,15 @@ using namespace gpf;
 
 int main(int count, char** arguments) {
   if (count != 4) {
-    std::fputs("usage: count_engine periodic N NU | channel NU E_N\n", stderr);
+    std::fputs("usage: count_engine periodic N NU | clump N NU | channel NU E_N\n", stderr);
     return 2;
   }
   const double first = std::atof(arguments[2]), second = std::atof(arguments[3]);
-  const Scene scene = std::strcmp(arguments[1], "channel") == 0
-                          ? performance::channel(first, second)
-                          : performance::periodic(static_cast<std::int32_t>(first), second);
-  Engine<> engine(scene, start_state(scene));
+  const std::string_view kind = arguments[1];
+  Scene scene = kind == "channel" ? performance::channel(first, second)
+                                  : performance::periodic(static_cast<std::int32_t>(first), second);
+  if (kind == "clump") scene.normal_restitution = 0.5;  // what has crowded stays so
+  Engine<> engine(scene, kind == "clump" ? performance::clump(scene) : start_state(scene));
   double time = 0;
   const auto advance_by = [&](std::uint64_t collisions) {
     const std::uint64_t goal = engine.counts().pair_contacts + collisions;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gpf/event/crowding.hpp"
 #include "gpf/event/engine.hpp"
 #include "gpf/event/heap_queue.hpp"
 #include "gpf/scene/start.hpp"
@@ -67,6 +68,40 @@ BOOST_AUTO_TEST_CASE(cells_and_queue_do_not_matter) {
       require_same(run<HeapQueue>(c, disks_per_cell), reference);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(cells_that_shrink_where_disks_crowd_do_not_matter) {
+  // A clump that flies apart: a fifteenth of the box at first, all of it in the end.
+  const Scene scene = test::gas(400, 0.05, 0.8);
+  State start = start_state(scene);
+  const double apart = 1.05 * scene.diameter();
+  for (int i = 0; i < 400; ++i)
+    start.position[static_cast<std::size_t>(i)] = {0.3 + apart * (i % 20), 0.3 + apart * (i / 20)};
+  Engine<> whole(scene, start);
+  const double epoch = whole.epoch_length();
+  const auto crowded = [&](const EngineState& state) {
+    std::vector<Flight> flights;
+    for (std::size_t i = 0; i < state.x.size(); ++i) flights.push_back({state.x[i], state.y[i], 0, 0, 0});
+    return crowding(flights, scene.length(), 0, 1);
+  };
+  BOOST_TEST(crowded(whole.checkpoint()) > 8);
+  whole.advance(epoch);
+  const EngineState stopped = whole.checkpoint();
+  whole.advance(3 * epoch);
+  const EngineState reference = whole.checkpoint();
+  BOOST_TEST(crowded(reference) < 2);
+  BOOST_TEST(reference.counts.pair_contacts > 300u);
+  for (const double disks_per_cell : {0.1, 1.0, 20.0, 400.0}) {
+    Engine<HeapQueue> other(scene, start, disks_per_cell);
+    other.advance(3 * epoch);
+    require_same(other.checkpoint(), reference);
+  }
+  Engine<> resumed(scene, stopped);
+  resumed.advance(3 * epoch);
+  require_same(resumed.checkpoint(), reference);
+  // The size of cells is a function of the state alone, so that a resume does not even show in the work done.
+  BOOST_TEST(resumed.checkpoint().counts.crossings == reference.counts.crossings);
+  BOOST_TEST(resumed.checkpoint().counts.stale == reference.counts.stale);
 }
 
 BOOST_AUTO_TEST_CASE(steps_do_not_matter) {

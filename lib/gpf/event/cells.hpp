@@ -32,21 +32,29 @@ struct Place {
 /// on itself with the periods L and 1.
 class Cells {
  public:
-  /// Cells of about `disks_per_cell` disks, never narrower than a diameter.
+  /// Cells of about `disks_per_cell` disks at the mean density, never narrower than a diameter.
   Cells(const Scene& scene, double lower, double upper, double length, double disks_per_cell)
-      : channel_(scene.geometry == Geometry::channel), lower_(lower), upper_(upper), length_(length) {
-    const double height = upper - lower;
-    const double narrowest = scene.diameter() * (1 + 1e-9);
-    const double side = std::sqrt(disks_per_cell * length * height / scene.particles);
-    const auto fit = [=](double extent, Index least) {
-      return std::max(least, static_cast<Index>(std::min(std::round(extent / side), std::floor(extent / narrowest))));
+      : channel_(scene.geometry == Geometry::channel),
+        lower_(lower),
+        upper_(upper),
+        length_(length),
+        narrowest_(scene.diameter() * (1 + 1e-9)),
+        area_per_disk_(length * (upper - lower) / scene.particles) {
+    divide(disks_per_cell);
+  }
+
+  /// Divides the box anew, into empty cells of such a size.
+  void divide(double disks_per_cell) {
+    const double side = std::sqrt(disks_per_cell * area_per_disk_), height = upper_ - lower_;
+    const auto fit = [=, this](double extent, Index least) {
+      return std::max(least, static_cast<Index>(std::min(std::round(extent / side), std::floor(extent / narrowest_))));
     };
-    columns_ = fit(length, 3);
+    columns_ = fit(length_, 3);
     rows_ = fit(height, channel_ ? 1 : 3);
-    width_ = length / columns_;
+    width_ = length_ / columns_;
     height_ = height / rows_;
-    near_ = {columns_, rows_, length, channel_ ? 0.0 : 1.0};
-    clear();
+    near_ = {columns_, rows_, length_, channel_ ? 0.0 : 1.0};
+    lines_.assign(size(), CellLine{});
   }
 
   [[nodiscard]] std::size_t size() const {
@@ -61,9 +69,6 @@ class Cells {
     const auto clamped = [](double a, Index count) { return std::clamp(static_cast<Index>(a), Index{0}, count - 1); };
     return {clamped(x / width_, columns_), clamped((y - lower_) / height_, rows_)};
   }
-
-  /// Empties all cells.
-  void clear() { lines_.assign(size(), CellLine{}); }
 
   /// Puts disk i into the cell of `place`.
   void insert(const Place& place, Index i) {
@@ -194,7 +199,7 @@ class Cells {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   bool channel_;
-  double lower_, upper_, length_;
+  double lower_, upper_, length_, narrowest_, area_per_disk_;
   Index columns_ = 0, rows_ = 0;
   double width_ = 0, height_ = 0;
   NearCellsOfGrid near_;

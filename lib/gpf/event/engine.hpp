@@ -73,6 +73,9 @@ class Engine {
   /// Larger cells are crossed less often, smaller ones hold fewer disks out of reach. Measured at N = 10^3, area
   /// fractions .05, .30 and .70: from 1.0 to 1.4 times differ by up to 5 %, at half or at 2 by up to 20 %.
   static constexpr double best_disks_per_cell = 1.25;
+  /// Cells shrink by the square of crowding(), which is right where nearly all collisions happen in waves or clumps
+  /// and leaves a gas as it is; by no more than this, for empty cells take memory too (32 bytes each).
+  static constexpr double most_shrinking = 20;
   /// From so many disks on the loop waits for memory rather than for arithmetic, and it pays to fetch ahead: at N =
   /// 10^4 that makes it 1.3 to 1.4 times slower, at 10^5 1.2 to 1.6 times faster.
   static constexpr std::int32_t fits_near_memory = 50'000;
@@ -123,7 +126,7 @@ class Engine {
   Physics physics_;
   bool channel_, foresees_;
   PositionGrid grid_;
-  double length_, lower_, upper_, gravity_, epoch_length_;
+  double length_, lower_, upper_, gravity_, epoch_length_, disks_per_cell_;
   ContactTime contact_time_;
   Cells cells_;
   Queue queue_;

@@ -2,12 +2,14 @@
 // the disks are put in the order of their cells, and everything is predicted anew.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "gpf/event/crowding.hpp"
 #include "gpf/event/engine.hpp"
 
 namespace gpf {
@@ -68,13 +70,14 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
 /// Changes no trajectory, for they keep their ids.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
+  const double crowded = std::max(1.0, crowding(flights, length_, lower_, upper_));
+  cells_.divide(disks_per_cell_ / std::min(square(crowded), most_shrinking));
   std::vector<std::size_t> first(cells_.size() + 1, 0);
   for (std::size_t k = 0; k < plans_.size(); ++k) {
     plans_[k].place = cells_.locate(flights[k].x, flights[k].y);
     ++first[cells_.number(plans_[k].place) + 1];
   }
   for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
-  cells_.clear();
   std::vector<Disk, HugePages<Disk>> disks(disks_.size());
   std::vector<Plan, HugePages<Plan>> plans(plans_.size());
   for (std::size_t k = 0; k < plans_.size(); ++k) {

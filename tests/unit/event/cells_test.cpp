@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_removed_disk_is_met_no_more) {
     std::erase_if(expected, [](const auto& met) { return met.first % 2 == 1; });
     BOOST_TEST((f.met(i, Block::all) == expected));
   }
-  f.cells.clear();
+  f.cells.divide(1);
   BOOST_TEST(f.met(0, Block::all).empty());
 }
 
