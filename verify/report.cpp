@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "gpf/base/error.hpp"
@@ -86,7 +87,7 @@ class ReportWriter {
       link = draw(picture->plot, "bias-and-scatter.svg");
       caption = picture->caption;
     }
-    return write(front_page(data, link, caption), "README.md");
+    return write(front_page(data, earlier_pages(data), link, caption), "README.md");
   }
 
   /// What an earlier report wrote and this one did not.
@@ -113,6 +114,20 @@ class ReportWriter {
   }
 
  private:
+  /// Pages that earlier reports have left on claims which this one is not on.
+  [[nodiscard]] std::vector<EarlierPage> earlier_pages(const ReportData& data) const {
+    std::vector<EarlierPage> pages;
+    for (const Claim& claim : data.others) {
+      const fs::path path = output_ / "claims" / (claim.id + ".md");
+      const std::string page = fs::exists(path) ? read_text(path) : std::string();
+      constexpr std::string_view before = "\n**Verdict: ", after = ".**";
+      const std::size_t start = page.find(before), end = page.find(after, start);
+      if (page.starts_with(page_marker) && end != std::string::npos)
+        pages.push_back({claim.id, page.substr(start + before.size(), end - start - before.size())});
+    }
+    return pages;
+  }
+
   std::string draw(const Plot& plot, const std::string& name) {
     write_plot(plot, output_ / name);
     written_.insert(name);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "gpf/base/error.hpp"
@@ -141,9 +142,14 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
     if (std::none_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.id == id; }))
       throw InputError(fmt::format("claim '{}' is not part of tier {}", id, name_of(tier)),
                        "there is no such claim, or it has no scenes there", "see reference/claims/");
-  if (!chosen.empty())
-    std::erase_if(claims,
-                  [&](const Claim& c) { return std::find(chosen.begin(), chosen.end(), c.id) == chosen.end(); });
+  std::vector<Claim> others;
+  if (!chosen.empty()) {
+    const auto first_other = std::stable_partition(claims.begin(), claims.end(), [&](const Claim& c) {
+      return std::find(chosen.begin(), chosen.end(), c.id) != chosen.end();
+    });
+    others.assign(std::make_move_iterator(first_other), std::make_move_iterator(claims.end()));
+    claims.erase(first_other, claims.end());
+  }
   std::vector<std::string> missing;
   for (const Claim& claim : claims)
     if (!std::filesystem::exists(verdict_path(store, tier, claim.id))) missing.push_back(claim.id);
@@ -159,6 +165,7 @@ ReportData load_report_data(Tier tier, const std::filesystem::path& store, const
   ReportData data = std::move(loader).finish();
   data.errata = std::move(errata);
   data.of_claims = of_claims;
+  data.others = std::move(others);
   data.folders = folder_options(reference, store);
   return data;
 }

@@ -36,6 +36,7 @@ struct ReportData {
   Tier tier = Tier::quick;
   std::vector<JudgedClaim> claims;          ///< by id
   std::size_t of_claims = 0;                ///< how many the tier has
+  std::vector<Claim> others;                ///< of the tier, when claims were chosen: those that were not
   std::map<std::string, SceneCost> scenes;  ///< by name
   std::vector<Erratum> errata;              ///< of the source, in its order; none: no page
   ProvenanceFacts provenance;               ///< "version", "commit", "compiler", "flags", "libraries", "cpu", "system"

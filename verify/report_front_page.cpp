@@ -90,6 +90,18 @@ std::string claims_table(const ReportData& data) {
                         rows);
 }
 
+std::string earlier_pages(const ReportData& data, const std::vector<EarlierPage>& earlier) {
+  if (earlier.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [id, verdict] : earlier) {
+    const auto claim = std::find_if(data.others.begin(), data.others.end(), [&](const Claim& c) { return c.id == id; });
+    rows.push_back({link_to(id), markdown_text(claim->statement), markdown_text(verdict)});
+  }
+  return "\n## Pages of earlier reports\n\nOn other claims of this tier. Only their pages say on what runs they "
+         "rest.\n\n" +
+         markdown_table({"claim", "statement", "verdict"}, rows);
+}
+
 std::string runs_table(const ReportData& data) {
   if (data.scenes.empty()) return {};
   std::vector<std::vector<std::string>> rows;
@@ -150,7 +162,8 @@ std::string provenance(const ReportData& data) {
 
 }  // namespace
 
-std::string front_page(const ReportData& data, const std::string& picture, const std::string& picture_caption) {
+std::string front_page(const ReportData& data, const std::vector<EarlierPage>& earlier, const std::string& picture,
+                       const std::string& picture_caption) {
   std::string text = page_marker;
   const bool chosen = data.claims.size() < data.of_claims;
   text +=
@@ -178,8 +191,8 @@ std::string front_page(const ReportData& data, const std::string& picture, const
         "Each point is a check, in half widths of its band around the band's centre; the bar is its "
         "confidence interval.\nA claim passes when all its bars lie in the shaded band.{}\n",
         plot_markdown("bias and scatter of all claims", picture), picture_caption);
-  return text + departures(data) + limits_link(data) + errata_link(data) + runs_table(data) + reproduction(data) +
-         provenance(data);
+  return text + departures(data) + earlier_pages(data, earlier) + limits_link(data) + errata_link(data) +
+         runs_table(data) + reproduction(data) + provenance(data);
 }
 
 }  // namespace gpf

@@ -126,6 +126,29 @@ BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_says_so_and_how_to_repeat_it) {
   BOOST_TEST(!contains(page(2), " a.one b.two"));
 }
 
+BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_lists_the_pages_that_earlier_ones_have_left) {
+  const JudgedClaim one = gpf::test::passing("a.one"), two = gpf::test::passing("b.two"),
+                    three = gpf::test::passing("c.three");
+  const gpf::test::TemporaryFolder folder;
+  const auto front = [&](const JudgedClaim& chosen, std::vector<gpf::Claim> others) {
+    ReportData data = data_of({chosen});
+    data.of_claims = 3;
+    data.others = std::move(others);
+    gpf::write_report(data, folder.path());
+    return files_in(folder.path()).at("README.md");
+  };
+  BOOST_TEST(!contains(front(one, {two.claim, three.claim}), "earlier reports"));
+  const std::string earlier = section(front(two, {one.claim, three.claim}), "Pages of earlier reports");
+  BOOST_TEST(contains(earlier, "[a.one](claims/a.one.md)"));
+  BOOST_TEST(contains(earlier, "pass, as expected (reproduced)"));
+  BOOST_TEST(!contains(earlier, "b.two"));    // this report's own
+  BOOST_TEST(!contains(earlier, "c.three"));  // has no page
+  BOOST_TEST(contains(files_in(folder.path()).at("claims/a.one.md"), "**Verdict: "));
+
+  gpf::write_text_atomically(folder / "claims/c.three.md", "a page of someone else\n**Verdict: pass.**\n");
+  BOOST_TEST(!contains(front(two, {one.claim, three.claim}), "c.three"));
+}
+
 BOOST_AUTO_TEST_CASE(a_share_has_its_own_level) {
   JudgedClaim mixed = gpf::test::judged("a.mixed", {check("slope", 0.4, 0.01, {0, infinity})});
   mixed.verdict.alpha = 0.005;
