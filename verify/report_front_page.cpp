@@ -93,9 +93,10 @@ std::string claims_table(const ReportData& data) {
 std::string earlier_pages(const ReportData& data, const std::vector<EarlierPage>& earlier) {
   if (earlier.empty()) return {};
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [id, verdict] : earlier) {
-    const auto claim = std::find_if(data.others.begin(), data.others.end(), [&](const Claim& c) { return c.id == id; });
-    rows.push_back({link_to(id), markdown_text(claim->statement), markdown_text(verdict)});
+  for (const EarlierPage& page : earlier) {
+    const auto claim =
+        std::find_if(data.others.begin(), data.others.end(), [&](const Claim& c) { return c.id == page.claim; });
+    rows.push_back({link_to(page.claim), markdown_text(claim->statement), markdown_text(page.verdict)});
   }
   return "\n## Pages of earlier reports\n\nOn other claims of this tier. Only their pages say on what runs they "
          "rest.\n\n" +

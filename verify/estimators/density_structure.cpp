@@ -50,6 +50,8 @@ double second_greatest(std::vector<double> contrasts) {
   return contrasts[1];
 }
 
+bool stands_out(double mode, double others) { return mode >= visible_contrast && mode > clear_factor * others; }
+
 /// Of all k > 1.
 double greatest_of_short(const std::vector<double>& contrasts) { return greatest(std::span(contrasts).subspan(1)); }
 
@@ -101,14 +103,17 @@ std::optional<Structure> classify(const DensityContrast& c) {
   const double even = greatest(c.even), odd = greatest(c.odd), varicose = greatest(c.varicose),
                short_even = greatest_of_short(c.even);
   if (std::max({even, odd, varicose}) <= visible_contrast / clear_factor) return Structure::plug;
-  const auto stands_out = [](double mode, double others) {
-    return mode >= visible_contrast && mode > clear_factor * others;
-  };
   if (stands_out(odd, std::max({even, varicose, second_greatest(c.odd)}))) return Structure::wave;
   if (stands_out(varicose, std::max(odd, varicose_of_a_lump * even))) return Structure::varicose;
   if (stands_out(c.even[0], std::max(odd, short_even))) return Structure::slug;
   if (stands_out(short_even, odd) && c.even[0] <= std::sqrt(clear_factor) * short_even) return Structure::clumps;
   return std::nullopt;
+}
+
+bool is_one_of(std::span<const Structure> wanted, const DensityContrast& contrast) {
+  const auto has = [&](Structure s) { return std::find(wanted.begin(), wanted.end(), s) != wanted.end(); };
+  if (const auto label = classify(contrast)) return has(*label);
+  return has(Structure::slug) && has(Structure::clumps) && stands_out(greatest(contrast.even), greatest(contrast.odd));
 }
 
 std::string name_of(Structure structure) {

@@ -55,6 +55,10 @@ inline constexpr double varicose_of_a_lump = 2;
 /// Nothing between the classes.
 std::optional<Structure> classify(const DensityContrast& contrast);
 
+/// Whether it is one of the wanted ones. Between slug and clumps it is one of these two, whichever: where both are
+/// wanted an even mode has to exceed the odd ones only.
+bool is_one_of(std::span<const Structure> wanted, const DensityContrast& contrast);
+
 std::string name_of(Structure structure);
 /// "slug", or several: "slug or clumps". Throws InputError for an unknown one.
 std::vector<Structure> structures_named(const std::string& text);

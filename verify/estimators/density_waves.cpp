@@ -66,25 +66,20 @@ void check_shift(const SceneValues& scene, double toward, Evidence& evidence) {
        .band = {0, INFINITY}});
 }
 
-std::vector<std::optional<Structure>> labels_in(const SceneValues& scene, const Window& window) {
-  std::vector<std::optional<Structure>> labels;
-  for (const Record& record : scene.records())
-    labels.push_back(classify(density_contrast_between(record, window.from, window.to)));
-  return labels;
-}
-
 void check_class(const SceneValues& scene, const Window& window, const std::string& stated, Evidence& evidence) {
-  const auto labels = labels_in(scene, window);
   const std::vector<Structure> wanted = structures_named(stated);
-  const auto is_stated = [&](const std::optional<Structure>& label) {
-    return label && std::find(wanted.begin(), wanted.end(), *label) != wanted.end();
-  };
-  evidence.checks.push_back(
-      {.label = fmt::format("{}, {}: replicas with a {}", scene.name(), window.text(), stated),
-       .values = per_replica(labels.size(), [&](auto r) { return is_stated(labels[r]) ? 1.0 : 0.0; }),
-       .band = majority,
-       .reference = NAN,
-       .share = true});
+  std::vector<std::optional<Structure>> labels;
+  std::vector<double> hits;
+  for (const Record& record : scene.records()) {
+    const DensityContrast contrast = density_contrast_between(record, window.from, window.to);
+    labels.push_back(classify(contrast));
+    hits.push_back(is_one_of(wanted, contrast) ? 1 : 0);
+  }
+  evidence.checks.push_back({.label = fmt::format("{}, {}: replicas with a {}", scene.name(), window.text(), stated),
+                             .values = std::move(hits),
+                             .band = majority,
+                             .reference = NAN,
+                             .share = true});
   evidence.notes.push_back(fmt::format("{}, {}: {}.", scene.name(), window.text(), tally_of(labels)));
 }
 

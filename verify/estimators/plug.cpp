@@ -122,7 +122,7 @@ Evidence estimate_plug_density(const Claim& claim, Tier, const SceneRecords& rec
                    .ylabel = "area fraction",
                    .series = {{.label = "band",
                                .style = SeriesStyle::band,
-                               .x = {lowest, saturated},
+                               .x = {std::min(lowest, saturated - 0.05), saturated},  // wide enough to be seen
                                .y = {close_packing, close_packing},
                                .lower = {band.lo, band.lo},
                                .upper = {band.hi, band.hi}}}};

@@ -45,6 +45,20 @@ BOOST_AUTO_TEST_CASE(what_lies_between_is_in_no_class) {
   BOOST_CHECK(!classify(contrast(10, 11, 1, 20)));  // clumps that wind
 }
 
+BOOST_AUTO_TEST_CASE(between_slug_and_clumps_it_is_one_of_the_two) {
+  const std::vector lumps{Structure::slug, Structure::clumps}, slug{Structure::slug},
+      flat{Structure::plug, Structure::wave};
+  BOOST_TEST(is_one_of(lumps, contrast(20, 1, 1, 12)));
+  BOOST_TEST(!is_one_of(slug, contrast(20, 1, 1, 12)));
+  BOOST_TEST(!is_one_of(flat, contrast(20, 1, 1, 12)));
+  BOOST_TEST(!is_one_of(lumps, contrast(20, 11, 1, 12)));  // it may be a wave
+  BOOST_TEST(!is_one_of(lumps, contrast(6, 1, 1, 4)));     // seen in some snapshots only
+  BOOST_TEST(is_one_of(lumps, contrast(60, 2)));
+  BOOST_TEST(is_one_of(slug, contrast(60, 2)));
+  BOOST_TEST(!is_one_of(lumps, contrast(1, 1)));
+  BOOST_TEST(is_one_of(flat, contrast(1, 1)));
+}
+
 BOOST_AUTO_TEST_CASE(bistable_needs_two_classes_that_are_more_than_rare) {
   using Labels = std::vector<std::optional<Structure>>;
   const auto labels = [](std::size_t waves, std::size_t slugs, std::size_t none) {
