@@ -36,6 +36,12 @@ std::optional<Record> simulate_or_resume(const SceneFile& file, const RunFunctio
   }
 }
 
+/// A worker killed while it wrote a checkpoint leaves a .part of it as well.
+void remove_checkpoint(const std::filesystem::path& checkpoint) {
+  std::filesystem::remove(checkpoint);
+  std::filesystem::remove(checkpoint.string() + ".part");
+}
+
 ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions& options, int report) {
   const std::filesystem::path place = store.path(job.file);
   auto lock = FileLock::wait(place.string() + ".lock", options.stop);
@@ -46,7 +52,7 @@ ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions
   SimulationOptions simulation;
   simulation.checkpoint = place.string() + ".checkpoint";
   if (store.load(job.file)) {
-    std::filesystem::remove(*simulation.checkpoint);  // of a process that ended between its last two steps
+    remove_checkpoint(*simulation.checkpoint);  // of a process that ended between its last two steps
     tell(report, "found");
     return ExitStatus::success;
   }
@@ -61,7 +67,7 @@ ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions
     return ExitStatus::interrupted;
   }
   store.save(job.file, *record);
-  std::filesystem::remove(*simulation.checkpoint);
+  remove_checkpoint(*simulation.checkpoint);
   tell(report, fmt::format("done {} {}", record->cpu_seconds, record->counts.pair_contacts));
   return ExitStatus::success;
 }
