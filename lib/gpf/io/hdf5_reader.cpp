@@ -41,17 +41,28 @@ struct Values {
   Handle object;
   hid_t (*type)(hid_t), (*space)(hid_t);
   herr_t (*read)(hid_t object, hid_t memory_type, void* buffer);
+  void (*check_place)(hid_t object, std::size_t bytes, std::size_t file_size);
 };
+
+/// Where the values of a dataset lie, before HDF5 goes there: all of them in one piece within this file, as we write
+/// them. HDF5 1.10 believes a file that says otherwise, and reads beyond it.
+void check_place(hid_t dataset, std::size_t bytes, std::size_t file_size) {
+  const haddr_t begin = H5Dget_offset(dataset);
+  if (begin == HADDR_UNDEF || H5Dget_storage_size(dataset) != bytes || bytes > file_size || begin > file_size - bytes) {
+    throw hdf5::Failure{"its values are not in one piece of the file that has the size of its shape"};
+  }
+}
 
 Values open_dataset(hid_t file, const std::string& name) {
   const auto read = [](hid_t object, hid_t type, void* to) { return H5Dread(object, type, H5S_ALL, H5S_ALL, 0, to); };
-  return {open_object(file, name, H5I_DATASET, "dataset"), H5Dget_type, H5Dget_space, read};
+  return {open_object(file, name, H5I_DATASET, "dataset"), H5Dget_type, H5Dget_space, read, check_place};
 }
 
 Values open_attribute(hid_t file, const std::string& path, const std::string& name) {
   const Handle owner = open_object(file, path, H5I_BADID, "");
   if (check(H5Aexists(owner.get(), name.c_str())) == 0) throw hdf5::Failure{"not there"};
-  return {Handle(H5Aopen(owner.get(), name.c_str(), H5P_DEFAULT), H5Aclose), H5Aget_type, H5Aget_space, H5Aread};
+  return {Handle(H5Aopen(owner.get(), name.c_str(), H5P_DEFAULT), H5Aclose), H5Aget_type, H5Aget_space, H5Aread,
+          [](hid_t, std::size_t, std::size_t) {}};
 }
 
 /// Shape and number of elements. What the file claims must fit into its own size before anything is allocated.
@@ -67,6 +78,7 @@ std::pair<Dims, std::size_t> shape(const Values& values, std::size_t element_siz
       throw hdf5::Failure{"it claims more values than the file has room for"};
     elements *= length;
   }
+  if (elements > 0) values.check_place(values.object.get(), elements * element_size, file_size);
   return {Dims(lengths.begin(), lengths.end()), elements};
 }
 

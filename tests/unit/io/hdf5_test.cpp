@@ -4,11 +4,13 @@
 #include <bit>
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <cstring>
 #include <limits>
 #include <thread>
 
 #include "gpf/base/error.hpp"
 #include "gpf/io/atomic_file.hpp"
+#include "gpf/io/hdf5_seal.hpp"
 #include "gpf/io/subprocess.hpp"
 #include "unit/io/temporary_folder.hpp"
 
@@ -253,6 +255,45 @@ BOOST_AUTO_TEST_CASE(wrong_reads_are_input_errors) {
   BOOST_CHECK_EXCEPTION(static_cast<void>(file.has_attribute("/absent", "number")), InputError, names("/absent"));
   BOOST_CHECK_THROW(Hdf5Reader(folder / "none.h5"), StorageError);
   BOOST_CHECK_THROW(Hdf5Reader(folder.path()), StorageError);
+}
+
+/// A sealed file whose dataset /row of twelve doubles says that its values lie at `begin` (unless 0) and take `bytes`.
+void write_misplaced(const std::filesystem::path& path, std::uint64_t begin, std::uint64_t bytes) {
+  Hdf5Writer writer(path);
+  writer.write("/row", std::vector<double>(12, 1.5));
+  writer.commit();
+  std::string content = gpf::read_text(path).substr(gpf::hdf5::seal_size);
+  // The layout message of the HDF5 format, version 3: class 1 (contiguous), address and size of eight bytes each.
+  constexpr std::uint64_t twelve_doubles = 96;
+  std::string size_field(sizeof twelve_doubles, '\0');
+  std::memcpy(size_field.data(), &twelve_doubles, size_field.size());
+  std::size_t at = content.find(std::string{3, 1});
+  while (at != std::string::npos && content.substr(at + 10, 8) != size_field)
+    at = content.find(std::string{3, 1}, at + 1);
+  BOOST_TEST_REQUIRE(at != std::string::npos);
+  if (begin != 0) std::memcpy(content.data() + at + 2, &begin, sizeof begin);
+  std::memcpy(content.data() + at + 10, &bytes, sizeof bytes);
+  gpf::write_text_atomically(path, gpf::hdf5::seal(content) + content);
+}
+
+BOOST_AUTO_TEST_CASE(values_lie_where_the_file_says_they_can) {
+  const TemporaryFolder folder;
+  const auto why = [](const InputError& error) {
+    return std::string(error.what()).find("one piece") != std::string::npos;
+  };
+  write_misplaced(folder / "a.h5", 0, 96);
+  BOOST_TEST(Hdf5Reader(folder / "a.h5").doubles("/row").values == std::vector<double>(12, 1.5));
+  constexpr std::uint64_t undefined = ~std::uint64_t{0};
+  for (const auto& [begin, bytes] : {std::pair<std::uint64_t, std::uint64_t>{0, 88},
+                                     {0, 104},
+                                     {0, 1ULL << 60},
+                                     {1ULL << 40, 96},
+                                     {undefined - 600, 96},
+                                     {undefined, 96}}) {
+    write_misplaced(folder / "a.h5", begin, bytes);
+    const Hdf5Reader file(folder / "a.h5");
+    BOOST_CHECK_EXCEPTION(static_cast<void>(file.doubles("/row")), InputError, why);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
