@@ -50,7 +50,8 @@ AllPairs<Real>::AllPairs(const Scene& scene, const State& start)
       diameter_(static_cast<Real>(scene.diameter())),
       length_(static_cast<Real>(scene.length())),
       gravity_(static_cast<Real>(scene.gravity)),
-      tolerance_(static_cast<Real>(tolerance_ulp * coarsest_ulp<Real> * std::max(1.0, scene.length()))) {
+      tolerance_(static_cast<Real>(tolerance_ulp * coarsest_ulp<Real> * std::max(1.0, scene.length()))),
+      closest_square_((diameter_ - tolerance_) * (diameter_ - tolerance_)) {
   const auto count = static_cast<std::size_t>(std::max(0, scene.particles));
   require(count > 0 && start.position.size() == count && start.velocity.size() == count,
           "the start state does not fit the scene", "it must hold a position and a velocity for each disk",
@@ -76,6 +77,7 @@ AllPairs<Real>::AllPairs(const Scene& scene, const State& start)
     disk.start_x = disk.x;
     disks_.push_back(disk);
   }
+  candidates_.resize(count);
   predict_all();
 }
 
@@ -134,10 +136,18 @@ typename AllPairs<Real>::Next AllPairs<Real>::prediction(std::int32_t i) const {
   const Disk& a = disk(i);
   Next next = periodic_y_ ? Next{infinite<Real>, look_again} : wall_contact(i);
   Real fastest_x = 0, fastest_y = 0;
+  std::size_t candidates = 0;
+  // Without branches, which nothing could guess: twice as fast.
   for (std::int32_t j = 0; j < size(); ++j) {
+    const Approach s = approach(a, disk(j));
+    fastest_x = std::max(fastest_x, std::abs(s.ux));
+    fastest_y = std::max(fastest_y, std::abs(s.uy));
+    candidates_[candidates] = j;
+    candidates += static_cast<std::size_t>(((s.rate < 0) & (s.discriminant >= 0)) | (s.square < closest_square_));
+  }
+  for (std::size_t c = 0; c < candidates; ++c) {
+    const std::int32_t j = candidates_[c];
     if (j == i) continue;
-    fastest_x = std::max(fastest_x, std::abs(disk(j).ux - a.ux));
-    fastest_y = std::max(fastest_y, std::abs(disk(j).uy - a.uy));
     const Real in = pair_contact(i, j);
     if (in < next.in) next = {in, j};
   }
@@ -147,22 +157,24 @@ typename AllPairs<Real>::Next AllPairs<Real>::prediction(std::int32_t i) const {
   return next;
 }
 
-// Eq. 2.6e with the nearest image, in the form that does not cancel; infinite when the disks do not meet.
-// Gravity moves both disks alike and drops out.
+// How a and the nearest image of b move towards each other. Gravity moves both alike and drops out.
+template <class Real>
+typename AllPairs<Real>::Approach AllPairs<Real>::approach(const Disk& a, const Disk& b) const {
+  const Offset r = nearest_image(a, b);
+  const Real ux = b.ux - a.ux, uy = b.uy - a.uy;
+  const Real square = r.x * r.x + r.y * r.y, gap = square - diameter_ * diameter_, rate = r.x * ux + r.y * uy;
+  return {ux, uy, square, gap, rate, rate * rate - (ux * ux + uy * uy) * gap};
+}
+
+// Eq. 2.6e in the form that does not cancel, for disks that come closer and meet.
 template <class Real>
 Real AllPairs<Real>::pair_contact(std::int32_t i, std::int32_t j) const {
-  const Disk &a = disk(i), &b = disk(j);
-  const Offset r = nearest_image(a, b);
-  const Real square = r.x * r.x + r.y * r.y, closest = diameter_ - tolerance_;
-  if (square < closest * closest)
-    throw_overlap(std::min(i, j), std::max(i, j), static_cast<double>(diameter_ - std::sqrt(square)), scene_.diameter(),
-                  time());
-  const Real ux = b.ux - a.ux, uy = b.uy - a.uy, approach = r.x * ux + r.y * uy;
-  if (!(approach < 0)) return infinite<Real>;
-  const Real gap = square - diameter_ * diameter_;  // of squares
-  if (gap <= 0) return 0;                           // in contact, or a few ulp inside it, and still approaching
-  const Real discriminant = approach * approach - (ux * ux + uy * uy) * gap;
-  return discriminant >= 0 ? gap / (std::sqrt(discriminant) - approach) : infinite<Real>;
+  const Approach s = approach(disk(i), disk(j));
+  if (s.square < closest_square_)
+    throw_overlap(std::min(i, j), std::max(i, j), static_cast<double>(diameter_ - std::sqrt(s.square)),
+                  scene_.diameter(), time());
+  if (s.gap <= 0) return 0;  // in contact, or a few ulp inside it, and still approaching
+  return s.gap / (std::sqrt(s.discriminant) - s.rate);
 }
 
 template <class Real>

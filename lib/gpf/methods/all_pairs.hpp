@@ -93,9 +93,16 @@ class AllPairs {
   struct Offset {
     Real x, y;
   };
+  struct Approach {
+    Real ux, uy;        // of b past a
+    Real square, gap;   // of the distance; what it has more than the square of a diameter
+    Real rate;          // half the rate at which the square grows
+    Real discriminant;  // negative when the disks do not meet
+  };
   static constexpr std::int32_t look_again = -3;
 
   [[nodiscard]] Offset nearest_image(const Disk& a, const Disk& b) const;
+  [[nodiscard]] Approach approach(const Disk& a, const Disk& b) const;
   [[nodiscard]] Next wall_contact(std::int32_t i) const;
   [[nodiscard]] Real pair_contact(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] Next prediction(std::int32_t i) const;
@@ -115,10 +122,11 @@ class AllPairs {
 
   Scene scene_;
   bool periodic_y_;
-  Real diameter_, length_, gravity_, tolerance_;
+  Real diameter_, length_, gravity_, tolerance_, closest_square_;
   std::vector<Disk> disks_;
-  std::vector<Next> next_;  // of disk i; the partner's own entry may hold the same contact
-  long double clock_ = 0;   // only for reporting and the TC rule: no prediction depends on it
+  std::vector<Next> next_;                        // of disk i; the partner's own entry may hold the same contact
+  mutable std::vector<std::int32_t> candidates_;  // those that a prediction cannot rule out
+  long double clock_ = 0;                         // only for reporting and the TC rule: no prediction depends on it
   AllPairsSums sums_;
   ContactWatcher* watcher_ = nullptr;
 };
