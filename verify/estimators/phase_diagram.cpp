@@ -87,9 +87,9 @@ double median_of(const std::vector<Point>& points, double (Point::*number)() con
 
 constexpr const char* somewhere = "somewhere between";
 
-/// The regions that a claim can speak of: the shortest and the longest channels; of those between the length at which
-/// `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those on either side of the
-/// median width and length; all.
+/// The regions that a claim can speak of: the shortest and the longest channels; of those between, for each width, the
+/// length at which `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those on either
+/// side of the median width and length; all.
 std::vector<const Point*> region(const std::string& name, const std::vector<Point>& points,
                                  const std::vector<Structure>& wanted) {
   const std::vector<double> lengths = lengths_of(points);
@@ -107,12 +107,19 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
     });
   }
   if (name == somewhere) {
-    std::vector<const Point*> best;
-    for (std::size_t l = 1; l + 1 < lengths.size(); ++l)
-      if (const auto here = at(lengths[l]);
-          best.empty() || mean(hits(here, wanted, Runs::even)) > mean(hits(best, wanted, Runs::even)))
-        best = here;
-    return best;
+    std::set<double> widths;
+    for (const Point& p : points) widths.insert(p.width());
+    std::vector<const Point*> all;
+    for (const double width : widths) {
+      std::vector<const Point*> best;
+      for (std::size_t l = 1; l + 1 < lengths.size(); ++l) {
+        const std::vector<const Point*> here =
+            those(points, [&](const Point& p) { return p.width() == width && same_length(p.length(), lengths[l]); });
+        if (best.empty() || mean(hits(here, wanted, Runs::even)) > mean(hits(best, wanted, Runs::even))) best = here;
+      }
+      all.insert(all.end(), best.begin(), best.end());
+    }
+    return all;
   }
   throw InputError(fmt::format("unknown region '{}' of a phase diagram", name), "a claim's [structures] names it",
                    "write shortest, longest, somewhere between, narrow and short, wide and long, or everywhere");

@@ -87,6 +87,20 @@ BOOST_AUTO_TEST_CASE(width_is_an_axis_with_regions_too) {
   BOOST_TEST(estimate_phase_diagram(claim, Tier::full, records).checks[2].values.empty());
 }
 
+BOOST_AUTO_TEST_CASE(each_width_has_its_own_length_between) {
+  SceneRecords records;
+  for (const char* length : {"1", "2", "3", "4"}) {
+    const bool middle = length == std::string("2"), long_middle = length == std::string("3");
+    add(records, length, "12", "0.5", middle ? std::optional(Tally::mode_odd) : std::nullopt);
+    add(records, length, "20", "0.5", long_middle ? Tally::mode_odd : Tally::mode_even);
+  }
+  Claim claim;
+  claim.structures = {{"somewhere between", "wave"}};
+  const Evidence evidence = estimate_phase_diagram(claim, Tier::full, records);
+  BOOST_TEST(evidence.checks[0].values == std::vector<double>(4, 1), boost::test_tools::per_element());
+  BOOST_TEST(evidence.checks[0].label.find("L/W 2, 3") != std::string::npos, evidence.checks[0].label);
+}
+
 BOOST_AUTO_TEST_CASE(pictures_are_compared_run_by_run) {
   Claim claim;
   claim.parameters = {{"agreeing", 0.8}};
