@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "gpf/base/error.hpp"
@@ -26,27 +25,19 @@ constexpr std::array<std::string_view, 4> dashes{"solid", "'_ '", "'_ . '", "'- 
 
 /// A text as a gnuplot literal: double-quoted, with every byte that could mean something to gnuplot as an octal escape,
 /// so that neither quotes nor backticks ever stand in a script. (Single quotes would need fewer escapes, but gnuplot
-/// 5.4 reads ''' as the end of a text.) What SVG cannot hold is replaced: control characters by spaces, bytes that are
-/// not UTF-8 by U+FFFD.
+/// 5.4 reads ''' as the end of a text.) What SVG cannot hold is replaced, ]]> too, as gnuplot writes > as it is.
 std::string literal(const std::string& text) {
-  using nlohmann::json;  // its replacing dump is the shortest way to valid UTF-8
-  const std::string valid =
-      json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
   constexpr std::string_view harmless = " .,()/=+-";
   std::string quoted = "\"";
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const auto code = static_cast<unsigned char>(valid[i]);
-    const std::string_view three = std::string_view(valid).substr(i, 3);
-    if (three == "\xef\xbf\xbe" || three == "\xef\xbf\xbf") {  // U+FFFE and U+FFFF are not in XML either
-      quoted += "\xef\xbf\xbd";
-      i += 2;
-    } else if (code < 0x20 || code == 0x7f) {
-      quoted += ' ';
-    } else if (code >= 0x80 || std::isalnum(code) != 0 || harmless.find(valid[i]) != std::string_view::npos) {
-      quoted += valid[i];
-    } else {
+  int brackets = 0;  // ] just before
+  for (const char c : xml_characters(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '>' && brackets >= 2) quoted += ' ';
+    brackets = c == ']' ? brackets + 1 : 0;
+    if (code >= 0x80 || std::isalnum(code) != 0 || harmless.find(c) != std::string_view::npos)
+      quoted += c;
+    else
       quoted += fmt::format("\\{:03o}", code);
-    }
   }
   return quoted + '"';
 }

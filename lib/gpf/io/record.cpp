@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
-
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
 #include "gpf/event/physics_version.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpf/io/utf8.hpp"
 #include "gpf/measure/density_spectrum.hpp"
 
 namespace gpf {
@@ -19,8 +20,8 @@ constexpr double square_side = 18;  // of the spectrum
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text)
-    result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : static_cast<unsigned char>(c) < 0x20 ? " " : std::string(1, c);
+  for (const char c : xml_characters(text))
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
   return result;
 }
 

@@ -99,11 +99,11 @@ BOOST_AUTO_TEST_CASE(texts_are_shown_as_they_are) {
   const TemporaryFolder folder;
   Plot plot = sample();
   plot.title = "it's\x01\ta_b^2 {/Symbol x} <b> & \"q\" $x `y` \\n %g \xce\xbd \xef\xbf\xbe";
-  plot.series.front().label = "U_0 & <V>";
+  plot.series.front().label = "U_0 & <V> ]]>]]>";
   gpf::write_svg(plot, folder / "a.svg");
   const std::string svg = gpf::read_text(folder / "a.svg");
-  // Read back by an XML parser: the text survives as it was, but for control characters and U+FFFE, which XML does not
-  // have.
+  // Read back by an XML parser: the text survives as it was, but for control characters, U+FFFE and ]]>, which XML does
+  // not have.
   const auto parsed = gpf::run_program({"python3", "-c",
                                         "import sys, xml.etree.ElementTree as tree\n"
                                         "for e in tree.parse(sys.stdin).iter():\n"
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(texts_are_shown_as_they_are) {
   BOOST_TEST(parsed.exit_status == 0, parsed.errors);
   BOOST_TEST(count(parsed.output, "it's  a_b^2 {/Symbol x} <b> & \"q\" $x `y` \\n %g \xce\xbd \xef\xbf\xbd\n") == 1,
              parsed.output);
-  BOOST_TEST(count(parsed.output, "U_0 & <V>\n") == 2);  // drawn, and as the name of the group of points
+  BOOST_TEST(count(parsed.output, "U_0 & <V> ]] >]] >\n") == 2);  // drawn, and as the name of the group of points
 }
 
 BOOST_AUTO_TEST_CASE(very_long_texts_and_many_points) {
