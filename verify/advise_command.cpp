@@ -35,11 +35,16 @@ void warn(const SteadyFlow& flow) {
   for (const std::string& warning : flow.warnings) fmt::print(stderr, "gpf: warning: {}\n", warning);
 }
 
+/// Those of a table that there are: some hold for channels only.
 void print_profiles(const std::vector<Quantity>& quantities) {
-  const std::vector<std::pair<const char*, const char*>> columns{
+  const auto there = [&](const char* name) {
+    return std::any_of(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
+  };
+  std::vector<std::pair<const char*, const char*>> columns{
       {"area_fraction", "nu"}, {"mean_velocity", "U"},  {"granular_temperature", "T"}, {"pressure_xx", "P_xx"},
       {"pressure_yy", "P_yy"}, {"pressure_xy", "P_xy"}, {"kurtosis_x", "kurt_x"},
   };
+  std::erase_if(columns, [&](const auto& column) { return !there(column.first); });
   std::string text = fmt::format("{:>8}", "y");
   for (const auto& [name, title] : columns) text += fmt::format(" {:>11}", title);
   const std::size_t bins = values_of(quantities, "area_fraction").size();
@@ -50,7 +55,7 @@ void print_profiles(const std::vector<Quantity>& quantities) {
   text += "\n";
   for (const char* name : {"mean_flow", "slip_velocity", "wall_temperature", "wall_pressure_lower", "wall_shear_lower",
                            "wall_shear_upper"})
-    text += fmt::format("{:20} {:.5g}\n", name, values_of(quantities, name).front());
+    if (there(name)) text += fmt::format("{:20} {:.5g}\n", name, values_of(quantities, name).front());
   fmt::print("{}", text);
 }
 

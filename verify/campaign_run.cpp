@@ -209,18 +209,17 @@ int run_campaign(const CampaignFolder& folder, const CampaignRunOptions& options
   return static_cast<int>(ExitStatus::success);
 }
 
-std::size_t print_missing(const CampaignFolder& folder, bool as_ranges) {
+void print_missing(const CampaignFolder& folder, bool as_ranges) {
   const std::vector<ManifestEntry> open = missing(load_manifest(folder), store_of(folder));
   if (as_ranges) {
     fmt::print("{}\n", index_ranges(open));
-    return open.size();
+    return;
   }
   for (const ManifestEntry& entry : open) {
     const std::filesystem::path failed = failure_file(folder, entry.index);
     fmt::print("{}\t{}\t{}\n", entry.index, shown(entry.label),
                std::filesystem::exists(failed) ? "failed: " + shown(read_text(failed)) : "not done");
   }
-  return open.size();
 }
 
 std::filesystem::path collect_campaign(const CampaignFolder& folder) {

@@ -26,9 +26,8 @@ struct CampaignRunOptions {
 /// missing, that of the first failure, or 75.
 int run_campaign(const CampaignFolder& folder, const CampaignRunOptions& options);
 
-/// Prints the missing runs, one a line: index, label, and why the last attempt failed; or their ranges. Returns how
-/// many.
-std::size_t print_missing(const CampaignFolder& folder, bool as_ranges);
+/// Prints the missing runs, one a line: index, label, and why the last attempt failed; or their ranges.
+void print_missing(const CampaignFolder& folder, bool as_ranges);
 
 /// Writes phase.md, phase.csv, snapshots.md with a picture of a state at each point, and, for one or two axes,
 /// phase.svg. Returns the path of phase.md.

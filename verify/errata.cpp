@@ -19,14 +19,15 @@ constexpr std::array<std::string_view, 1> file_keys{"erratum"};
 constexpr std::array<std::string_view, 6> erratum_keys{"id", "place", "printed", "correct", "evidence", "claims"};
 
 bool is_id(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-'; });
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_';
+  });
 }
 
 void check_id(const TomlFields& fields, std::string_view key, const std::string& id) {
   if (!is_id(id))
     throw fields.error(key, fmt::format("{} {} cannot be used", key == "id" ? "id" : "claim", gpf::quoted(id)),
-                       "it becomes a link", "use letters, digits, dots and '-'");
+                       "it becomes a link", "use letters, digits, dots, '-' and '_'");
 }
 
 Erratum erratum_of(const TomlFields& fields) {

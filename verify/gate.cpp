@@ -77,8 +77,9 @@ class Gate {
         for (int replica = 0; replica < verdict.replicas; ++replica) {
           const SceneFile file = replica_of(scene, replica, verdict.release_seed);
           names.push_back(record_name(file.scene, file.run));
-          if (checked_.insert(names.back()).second && !store_.load(file))
-            return fmt::format("the record of {} #{} is gone or damaged", scene.name, replica + 1);
+          const auto [checked, is_new] = readable_.try_emplace(names.back());
+          if (is_new) checked->second = store_.load(file).has_value();
+          if (!checked->second) return fmt::format("the record of {} #{} is gone or damaged", scene.name, replica + 1);
         }
     return names == verdict.records ? "" : "its scenes have changed";
   }
@@ -87,7 +88,7 @@ class Gate {
   std::vector<std::string> findings_;
   RecordStore store_;
   SceneLibrary scenes_;
-  std::set<std::string> checked_;  // names of records that have been looked at
+  std::map<std::string, bool> readable_;  // by the name of a record that has been looked at
 };
 
 }  // namespace

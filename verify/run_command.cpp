@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -21,13 +20,11 @@
 #include "verify/file_lock.hpp"
 #include "verify/run_json.hpp"
 #include "verify/simulate.hpp"
+#include "verify/stop_signals.hpp"
 
 namespace gpf {
 
 namespace {
-
-volatile std::sig_atomic_t stop_requested = 0;
-extern "C" void request_stop(int) { stop_requested = 1; }
 
 /// One process per record: a lock beside it.
 FileLock lock_of(const std::filesystem::path& output) {
@@ -89,13 +86,12 @@ int run(const RunOptions& options, std::vector<std::string> command) {
                      "--resume to go on with it, or --force to begin anew");
 
   for (const std::string& warning : range_warnings(file.scene, {})) fmt::print(stderr, "gpf: warning: {}\n", warning);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) std::signal(signal, request_stop);
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   SimulationOptions simulation;
   simulation.checkpoint = checkpoint;
   simulation.checkpoint_period = options.checkpoint_period;
   simulation.resume = options.resume;
-  simulation.stop = &stop_requested;
+  simulation.stop = stop_on_signals();
   if (terminal) simulation.progress = show_progress;
   simulation.command = std::move(command);
   const std::optional<Record> record = simulate(file, simulation);
@@ -124,12 +120,11 @@ void add_run_command(CLI::App& app, int& status) {
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   run_app->footer("Keys of a scene file:\n" + scene_key_help() +
-                  "\nStopped by SIGTERM, SIGINT or SIGUSR1 it writes OUTPUT.checkpoint and exits with 75;\n"
+                  "\nStopped by SIGTERM, SIGINT, SIGUSR1 or SIGHUP it writes OUTPUT.checkpoint and exits with 75;\n"
                   "the same command with --resume then reaches the same bits as an undisturbed run.\n"
                   "Example:\n"
                   "  gpf run reference/scenes/channel-smooth-nu30.toml -o nu30.h5\n");
-  run_app->callback([options, &status, &app] {
-    static_cast<void>(app);
+  run_app->callback([options, &status] {
     status = run(*options, {"gpf", "run", options->scene, "-o", options->output});
   });
 }

@@ -137,7 +137,8 @@ Verdict verdict_from(const Json& json) {
   v.alpha = number(json.at("alpha"));
   v.summary = json.at("summary");
   for (const Json& c : json.at("checks")) v.checks.push_back(check_from(c));
-  for (const Json& h : json.at("health")) v.health.push_back({h.at("name"), h.at("passed"), h.at("detail")});
+  for (const Json& h : json.at("health"))
+    v.health.push_back({h.at("name"), h.at("passed"), h.at("detail"), number(h.value("chance", Json(0.0)))});
   v.notes = json.at("notes").get<std::vector<std::string>>();
   v.plot = plot_from(json.at("plot"));
   for (const Json& d : json.value("drawings", Json::array())) v.drawings.push_back({d.at("title"), d.at("svg")});
@@ -160,7 +161,7 @@ std::string verdict_text(const Verdict& v) {
   Json checks = Json::array(), health = Json::array();
   for (const JudgedCheck& c : v.checks) checks.push_back(check_json(c));
   for (const HealthCheck& h : v.health)
-    health.push_back({{"name", h.name}, {"passed", h.passed}, {"detail", h.detail}});
+    health.push_back({{"name", h.name}, {"passed", h.passed}, {"detail", h.detail}, {"chance", number(h.chance)}});
   Json drawings = Json::array();
   for (const Drawing& d : v.drawings) drawings.push_back({{"title", d.title}, {"svg", d.svg}});
   Json json{{"format", format_name},

@@ -9,7 +9,7 @@
 
 namespace gpf {
 
-/// Counts the contacts of a disk that follow its last one at the same time, to the last bit.
+/// Counts the pair contacts of a disk that follow its last one at the same time, to the last bit.
 class ContactsAtOnce {
  public:
   explicit ContactsAtOnce(const Scene& scene) : last_(static_cast<std::size_t>(scene.particles), -1.0) {}

@@ -28,11 +28,11 @@ InputError no_modes(const std::string& where) {
 std::vector<double> sums_between(const Record& record, double from, double to) {
   const TallyLayout layout(record.run);
   if (layout.density_modes() == 0) throw no_modes("the record");
-  const double block = (record.time - record.run.start_up) / static_cast<double>(record.blocks);
+  const BlockTimes block = block_times(record);
   std::vector<double> sums(layout.size());
   bool any = false;
   for (std::size_t b = 0; b < record.blocks; ++b) {
-    const double middle = record.run.start_up + (static_cast<double>(b) + 0.5) * block;
+    const double middle = block.start + (static_cast<double>(b) + 0.5) * block.length;
     if (middle < from || middle >= to) continue;
     any = true;
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += record.sums[b * sums.size() + k];

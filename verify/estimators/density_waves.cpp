@@ -86,8 +86,7 @@ void check_class(const SceneValues& scene, const Window& window, const std::stri
 constexpr std::size_t blocks_per_window = 8;  // of the plot against time, and of the onset
 
 double window_length(const Record& record) {
-  return static_cast<double>(blocks_per_window) * (record.time - record.run.start_up) /
-         static_cast<double>(record.blocks);
+  return static_cast<double>(blocks_per_window) * block_times(record).length;
 }
 
 /// When the strongest mode came up, and how fast it moves.

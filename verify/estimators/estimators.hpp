@@ -71,6 +71,8 @@ Evidence estimate_n1_critical(const Claim& claim, Tier tier, const SceneRecords&
 Evidence estimate_n1_kinetic(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_phase(const Claim& claim, Tier tier, const SceneRecords& records);
+
+// Chapter 5: structures; tails of chapter 3.
 Evidence estimate_structure_classes(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_density_waves(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_density_peaks(const Claim& claim, Tier tier, const SceneRecords& records);

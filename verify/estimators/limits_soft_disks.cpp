@@ -42,8 +42,7 @@ double hard_compressibility(const Scene& scene, const State& start, double time)
 struct SoftGas {
   double compressibility = 0, overlap = 0, energy_gain = 0;
 };
-/// `duration` and `time` in the scene's unit. The energy gained is relative; a run that the method itself stops has
-/// gained without bounds.
+/// `duration` and `time` in the scene's unit. The energy gained is relative.
 SoftGas soft_gas(const Scene& scene, const State& start, double duration, int steps, double time) {
   constexpr int looks = 50;
   SoftDisks disks(scene, {duration, steps}, start);

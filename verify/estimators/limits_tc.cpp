@@ -162,12 +162,12 @@ void check_upper_end(const Claim& claim, const Family& family, std::size_t refer
            .band = {-1, -claim.tolerance_total()},
            .x = family.time(k)});
     if (family.omega_tc(k) > 1)
-      evidence.checks.push_back({.label = fmt::format("{}, omega t_c {:.2g}: loss in pairs over that of the reference",
-                                                      family.name(), family.omega_tc(k)),
-                                 .values = family.change(k, reference, &Flow::loss),
-                                 .band = {-1, -0.99},
-                                 .exact = true,
-                                 .x = family.time(k)});
+      evidence.checks.push_back(
+          {.label = fmt::format("{}, omega t_c {:.2g}: change of the loss in pairs", family.name(), family.omega_tc(k)),
+           .values = family.change(k, reference, &Flow::loss),
+           .band = {-1, -0.99},
+           .exact = true,
+           .x = family.time(k)});
   }
 }
 

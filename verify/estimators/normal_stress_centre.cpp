@@ -47,7 +47,7 @@ Evidence estimate_n1_reversal(const Claim& claim, Tier, const SceneRecords& reco
 }
 
 // Claim n1.kinetic (figs. 4.10a, 4.11a): from nu `dense` on, N_1^k at the centre lies within tolerance_total() about 0;
-// at the largest nu below `dense_start` it is larger than at any of these.
+// at the largest nu up to `moderate` it is larger than at any of these.
 Evidence estimate_n1_kinetic(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);

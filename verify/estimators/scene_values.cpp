@@ -9,6 +9,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/measure/quantities.hpp"
+#include "gpf/scene/canonical_text.hpp"
 
 namespace gpf {
 
@@ -20,15 +21,21 @@ std::vector<double> totals_of(const Record& record) {
   return totals;
 }
 
+BlockTimes block_times(const Record& record) {
+  const TallyLayout layout(record.run);
+  const double interval = record.run.sample_interval;
+  return {std::ceil(record.run.start_up / interval) * interval, record.sums.at(layout.at(Tally::measured_time))};
+}
+
 SceneValues::SceneValues(std::string name, const std::vector<Record>& records)
     : name_(std::move(name)), records_(&records) {
   if (records.empty())
     throw InputError(fmt::format("no record of scene {}", name_), "an estimator needs at least one replica",
                      "run the scene first");
   for (const Record& record : records) {
-    if (record.run.bins != bins() || record.scene.particles != scene().particles)
+    if (record.run.bins != bins() || scene_hash(record.scene) != scene_hash(scene()))
       throw InputError(fmt::format("the records of {} are of different scenes", name_),
-                       "their bins or particle numbers differ", "pass replicas of one scene");
+                       "they differ in more than their seeds", "pass replicas of one scene");
     auto& quantities = quantities_.emplace_back();
     for (Quantity& q : derive_quantities(record.scene, TallyLayout(record.run), totals_of(record)))
       quantities.emplace(std::move(q.name), std::move(q.values));

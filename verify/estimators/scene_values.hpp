@@ -16,6 +16,13 @@ namespace gpf {
 /// Sums of all tallies over the measured window, in the order of TallyLayout(record.run).
 std::vector<double> totals_of(const Record& record);
 
+/// When the blocks of a record were measured: block b from start + b length on. What was measured after the last one
+/// is in none.
+struct BlockTimes {
+  double start, length;
+};
+BlockTimes block_times(const Record& record);
+
 /// Whether a quantity keeps or changes its sign when the channel is seen in a mirror at its centre plane.
 enum class Parity { even, odd };
 

@@ -9,6 +9,7 @@
 #include "gpf/base/error.hpp"
 #include "verify/estimators/centre_tail.hpp"
 #include "verify/estimators/estimators.hpp"
+#include "verify/estimators/velocity_moments.hpp"
 
 namespace gpf {
 namespace {
@@ -94,7 +95,7 @@ Evidence estimate_same_distributions(const Claim& claim, Tier, const SceneRecord
       throw InputError(fmt::format("{} scenes at e_n {}", scenes.size(), restitution), "two are compared",
                        "correct the claim's scenes");
     for (const char* bin : {"first_bin", "second_bin"})
-      compare(evidence, claim, scenes[0], scenes[1], static_cast<int>(claim.parameter(bin)) - 1);
+      compare(evidence, claim, scenes[0], scenes[1], bin_parameter(claim, bin, scenes[0]));
   }
   evidence.notes.emplace_back(tail_definitions);
   return evidence;

@@ -31,12 +31,12 @@ StrongestMode strongest_mode(const DensityContrast& contrast) {
 }
 
 std::optional<double> onset_time(const Record& record, ModeShape shape, int k, std::size_t window) {
-  const double block = (record.time - record.run.start_up) / static_cast<double>(record.blocks);
+  const BlockTimes block = block_times(record);
   std::vector<double> middles;
   std::vector<bool> seen;
   for (std::size_t b = 0; b + window <= record.blocks; b += window) {
-    const double from = record.run.start_up + static_cast<double>(b) * block,
-                 to = from + static_cast<double>(window) * block;
+    const double from = block.start + static_cast<double>(b) * block.length,
+                 to = from + static_cast<double>(window) * block.length;
     middles.push_back((from + to) / 2);
     seen.push_back(of_shape(density_contrast_between(record, from, to), shape)[static_cast<std::size_t>(k) - 1] >=
                    visible_contrast);

@@ -36,7 +36,7 @@ void Engine<Queue, Physics>::next_epoch() {
   frame_offset_ -= length_ * std::floor(frame_offset_ / length_);
   frame_velocity_ = frame_velocity_at(epoch_length_);
   events_per_time_ = static_cast<double>(counts_.examined() - events_before_) / epoch_length_;
-  if (watched_ >= 0) watched_ -= epoch_length_;
+  watched_ = -1;
   ++epoch_;
   boost(flights);
   begin_epoch(flights);

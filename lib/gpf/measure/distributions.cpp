@@ -67,7 +67,9 @@ void Distributions::free_path(std::int32_t disk, const PairContact& c, Vec2 disp
     array(name).values[cell_of(octave, std::log2(path_least), std::log2(path_most), path_cells)] += 1;
   };
   add(lab, displacement);
-  const std::size_t b = bin(c.position.y);
+  double y = c.position.y + (disk == c.second ? c.r_12.y : 0);  // where the path ends
+  y -= std::floor(y);
+  const std::size_t b = bin(y);
   const double disks = array(flow).at(b, 1), lapse = c.time - array(last_time).values[static_cast<std::size_t>(disk)];
   if (disks > 0) add(peculiar, {displacement.x - array(flow).at(b, 0) / disks * lapse, displacement.y});
 }

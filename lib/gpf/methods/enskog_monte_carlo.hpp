@@ -36,7 +36,7 @@ struct MonteCarloSums {
 
 /// Montanero & Santos, Phys. Rev. E 54, 438 (1996), for inelastic disks in a channel (or a periodic gas): free flight
 /// under gravity with the scene's walls, then collisions of each particle i, with a direction s at random, and a
-/// particle j that is at random in the cell at r_i + d s, at the rate 2 pi d chi n (g.s) where
+/// particle j that is at random in the cell at r_i + d s, at the rate pi d chi n (g.s) where
 /// g.s = (c_i - c_j).s > 0, chi Henderson's contact value for the part of the slab y +- d/2 about the point half way
 /// that disks cover. Half a flight before the collisions of a step and half after them: seen between steps, the split
 /// is of second order. Momentum is conserved by every collision. No correlations of velocities, no layers, no crystal:
@@ -64,8 +64,8 @@ class EnskogMonteCarlo {
   /// times: there disks freeze and the contact value is no longer theirs. With more than one cell along: when, averaged
   /// so, more than 1 % of the particles are in such slabs, since now and then one is by chance.
   void advance(double until);
-  /// Shows every collision from now on, as one of the simulated particles, at a time within the step; not owned, must
-  /// outlive this or be replaced. Null: nobody.
+  /// Shows every collision from now on, as one of the simulated particles, at time() before the steps that advance()
+  /// takes together; not owned, must outlive this or be replaced. Null: nobody.
   void watch(ContactWatcher* watcher) { watcher_ = watcher; }
   /// Lab frame at time(), of the simulated particles; with one cell along all x are 0.
   [[nodiscard]] State state() const;

@@ -26,7 +26,7 @@ Verdict full_verdict() {
                      {"energy \"drift\"", {1e-15}, {-1, 1}, true, 0, 0},
                      {"not measured", {nan_value, 1, 2, 3}, {0, infinity}, false, 0, 1},
                      {"is a plug", {1, 1, 0, 1}, majority, false, 0, nan_value, true}};
-  evidence.health = {{"steady", true, "z = 1"}, {"replicas differ", false, "two alike"}};
+  evidence.health = {{"steady", true, "z = 1"}, {"replicas differ", false, "two alike", 0.0027}};
   evidence.plot = {"Z(nu)", "nu", "Z", false, true, std::pair{0.0, 1.0}, std::nullopt, {}};
   evidence.plot.series.push_back({"measured", SeriesStyle::points, {1, 2}, {3, nan_value}, {0.1, 0.2}, {}, {}});
   evidence.plot.series.push_back({"band", SeriesStyle::band, {1, 2}, {}, {}, {1, 2}, {3, 4}});

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_long_t_c_makes_another_flow) {
                                         {"onset_omega_tc", 0.1},
                                         {"end_of_a_double", 1e-15}});
   const Evidence evidence = estimate_limits_tc(claim, Tier::quick, {});
-  for (const double change : check_with(evidence, "loss in pairs over that of the reference").values)
+  for (const double change : check_with(evidence, "change of the loss in pairs").values)
     BOOST_TEST(change < -0.99);
   for (const double change : check_with(evidence, "t_c 1e-10: change of U_0").values)
     BOOST_TEST(std::abs(change) < 0.2);
