@@ -54,6 +54,14 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 BOOST_FIXTURE_TEST_SUITE(commands, Program)
 
+BOOST_AUTO_TEST_CASE(the_flow_of_a_periodic_scene_is_a_table_too) {
+  const ProcessResult flow = run_program(
+      {GPF_PROGRAM, "flow", (folder / "scenes/dilute.toml").string(), "--method", "event_driven"}, "");
+  BOOST_TEST(flow.exit_status == 0, flow.errors);
+  BOOST_TEST(contains(flow.output, "kurt_x"));
+  BOOST_TEST(!contains(flow.output, "slip_velocity"));  // for channels only
+}
+
 BOOST_AUTO_TEST_CASE(a_report_on_chosen_claims_wants_a_folder_of_its_own) {
   const ProcessResult report = gpf({"report", "eos.virial", "--store", (folder / "records").string()});
   BOOST_TEST(report.exit_status == 2);
