@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "gpf/base/error.hpp"
@@ -47,42 +46,6 @@ LineFit fit_line(std::span<const double> x, std::span<const Estimate> y) {
                   &fit.var_intercept, &fit.covariance, &fit.var_slope, &fit.chi2);
   fit.degrees_of_freedom = values.size() - 2;
   return fit;
-}
-
-double PowerLaw::bend_z() const { return (high_end.mean - low_end.mean) / std::hypot(low_end.error, high_end.error); }
-
-PowerLaw fit_power_law(std::span<const double> x, std::span<const Estimate> y) {
-  require_same_length(x.size(), y.size());
-  if (x.size() < 4) {
-    throw InputError(fmt::format("no power law from {} points", x.size()),
-                     "the slopes at its two ends are compared, and each needs two", "pass at least four");
-  }
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (!(x[k] > 0) || !(y[k].mean > 0)) {
-      throw InputError(fmt::format("point ({}, {}) is on no power law", x[k], y[k].mean),
-                       "only numbers above 0 have a logarithm", "leave it out, or shift the quantity");
-    }
-  }
-  std::vector<std::size_t> order(x.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return x[i] < x[j]; });
-  std::vector<double> log_x;
-  std::vector<Estimate> log_y;
-  for (const std::size_t k : order) {
-    log_x.push_back(std::log(x[k]));
-    log_y.push_back({std::log(y[k].mean), y[k].error / y[k].mean});
-  }
-  const auto exponent = [](const LineFit& line) { return Estimate{line.slope, std::sqrt(line.var_slope)}; };
-  const std::size_t third = std::max<std::size_t>(2, x.size() / 3);
-  const std::span<const double> all_x = log_x;
-  const std::span<const Estimate> all_y = log_y;
-  const LineFit line = fit_line(all_x, all_y);
-  return {exponent(line),
-          line.intercept,
-          exponent(fit_line(all_x.first(third), all_y.first(third))),
-          exponent(fit_line(all_x.last(third), all_y.last(third))),
-          line.chi2,
-          line.degrees_of_freedom};
 }
 
 }  // namespace gpf

@@ -1,4 +1,4 @@
-// Weighted straight lines, and power laws as straight lines in log-log.
+// Weighted straight lines.
 #pragma once
 
 #include <cstddef>
@@ -22,22 +22,5 @@ struct LineFit {
 /// Least squares with weights 1/error^2 (gsl_fit_wlinear).
 /// @throws InputError unless there are at least two different x, equally many y, and finite errors above 0.
 LineFit fit_line(std::span<const double> x, std::span<const Estimate> y);
-
-/// y = exp(log_prefactor) x^exponent.
-struct PowerLaw {
-  Estimate exponent;
-  double log_prefactor = 0;
-  Estimate low_end, high_end;  ///< exponents of the third of the points with the smallest and with the largest x
-  double chi2 = 0;
-  std::size_t degrees_of_freedom = 0;
-
-  /// (high_end - low_end)/error: large when the data bend and are not a power law.
-  [[nodiscard]] double bend_z() const;
-};
-
-/// Straight line through (ln x, ln y), each with the error error_y/y; in any order of x.
-/// @throws InputError unless there are at least four points, all x and y above 0, errors finite and above 0, and
-/// different x within each third.
-PowerLaw fit_power_law(std::span<const double> x, std::span<const Estimate> y);
 
 }  // namespace gpf

@@ -1,4 +1,4 @@
-// Lines and power laws: exact data, known covariance, ensembles, and data that bend.
+// Lines: exact data, known covariance, ensembles.
 #include "gpf/stats/fit.hpp"
 
 #include <algorithm>
@@ -66,56 +66,6 @@ BOOST_AUTO_TEST_CASE(line_ensemble) {
   BOOST_TEST(std::abs(chi2 - 6) < 4 * 0.077);
 }
 
-BOOST_AUTO_TEST_CASE(exact_power_law_in_any_order) {
-  const Numbers x = {0.3, 0.02, 0.15, 0.05, 0.4, 0.1};
-  Points y;
-  for (const double v : x) y.push_back({1.7 * std::pow(v, -0.91), 0.01});
-  const PowerLaw p = fit_power_law(x, y);
-  BOOST_TEST(p.exponent.mean == -0.91, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(std::exp(p.log_prefactor) == 1.7, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(p.low_end.mean == -0.91, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(p.high_end.mean == -0.91, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(std::abs(p.bend_z()) < 1e-6);
-  BOOST_TEST(p.degrees_of_freedom == 4u);
-}
-
-BOOST_AUTO_TEST_CASE(ends_are_the_thirds) {
-  // Exponent 1 below x = 1 and 2 above: three points on each side of nine lie wholly on one branch.
-  Numbers x;
-  Points y;
-  for (int k = -4; k <= 4; ++k) {
-    const double v = std::pow(2.0, k);
-    x.push_back(v);
-    y.push_back({k < 0 ? v : v * v, 0.01 * v});
-  }
-  const PowerLaw p = fit_power_law(x, y);
-  BOOST_TEST(p.low_end.mean == 1.0, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(p.high_end.mean == 2.0, boost::test_tools::tolerance(1e-9));
-  // Relative errors .01 (below) and .01/v (above), ln 2 apart: the slope of the low end has error .01/(sqrt 2 ln 2).
-  BOOST_TEST(p.low_end.error == 0.01 / (std::sqrt(2.0) * std::log(2.0)), boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(p.bend_z() > 50);
-}
-
-BOOST_AUTO_TEST_CASE(power_law_ensemble) {
-  // Relative errors of 2 %: ln y is biased by -.0002, far below its error. z^2 of the exponent and of the bend: 1 +-
-  // .045 over 1000 fits; 4 of each.
-  const Numbers x = {0.015, 0.03, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4};
-  double exponent = 0, bend = 0;
-  for (std::uint64_t key = 0; key < 1000; ++key) {
-    const Numbers g = synthetic::white(key + 5000, x.size());
-    Points y;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const double exact = 0.4 * std::pow(x[k], -0.9);
-      y.push_back({exact * (1 + 0.02 * g[k]), exact * 0.02});
-    }
-    const PowerLaw p = fit_power_law(x, y);
-    exponent += std::pow((p.exponent.mean + 0.9) / p.exponent.error, 2) / 1000;
-    bend += std::pow(p.bend_z(), 2) / 1000;
-  }
-  BOOST_TEST(std::abs(exponent - 1) < 4 * 0.045);
-  BOOST_TEST(std::abs(bend - 1) < 4 * 0.045);
-}
-
 BOOST_AUTO_TEST_CASE(refusals) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(fit_line(Numbers{1, 2}, Points{{1, 1}}), InputError);
@@ -124,11 +74,6 @@ BOOST_AUTO_TEST_CASE(refusals) {
   BOOST_CHECK_THROW(fit_line(Numbers{1, 2}, Points{{1, 1}, {2, 0}}), InputError);
   BOOST_CHECK_THROW(fit_line(Numbers{1, 2}, Points{{1, 1}, {nan, 1}}), InputError);
   BOOST_CHECK_THROW(fit_line(Numbers{1, nan}, Points{{1, 1}, {2, 1}}), InputError);
-  const Points four(4, Estimate{1, 0.1});
-  BOOST_CHECK_THROW(fit_power_law(Numbers{1, 2, 3}, Points(3, Estimate{1, 0.1})), InputError);
-  BOOST_CHECK_THROW(fit_power_law(Numbers{0, 1, 2, 3}, four), InputError);
-  BOOST_CHECK_THROW(fit_power_law(Numbers{1, 2, 3, 4}, Points{{1, 1}, {1, 1}, {-1, 1}, {1, 1}}), InputError);
-  BOOST_CHECK_THROW(fit_power_law(Numbers{nan, 2, 3, 4}, four), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
