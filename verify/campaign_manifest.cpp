@@ -131,7 +131,8 @@ run=$!
 [ -z "$signal" ] || kill -"$signal" "$run"
 wait "$run"; status=$?
 while kill -0 "$run" 2> /dev/null; do wait "$run"; status=$?; done
-if [ "$status" -eq 75 ] && [ "$signal" = USR1 ]; then
+early=$(kill -l "$status" 2> /dev/null) # USR1: it came before the program listened
+if [ "$signal" = USR1 ] && {{ [ "$status" -eq 75 ] || [ "$early" = USR1 ]; }}; then
   scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}"
 fi
 exit "$status"

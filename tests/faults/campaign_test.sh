@@ -114,3 +114,16 @@ rmdir "broken/records/$name.h5"
 "$gpf" campaign run broken --task 3 2> /dev/null || fail "a failed run is done again"
 "$gpf" campaign missing broken | grep -q "^3	" && fail "a run that succeeded is listed as missing"
 ok "failures are listed with their reason until they succeed"
+
+# USR1 that comes before the program listens ends it; the batch script puts the task back into the queue all the same.
+mkdir -p bin
+printf '#!/bin/sh\necho "$*" > %s\n' "$PWD/requeued" > bin/scontrol
+printf '#!/bin/sh\nkill -USR1 "$PPID"\nsleep 60\n' > bin/deaf
+chmod 755 bin/scontrol bin/deaf
+sed "s|^'.*' campaign run|'$PWD/bin/deaf' campaign run|" whole/job.slurm > deaf.slurm
+set +e
+PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=3 sh deaf.slurm
+[ $? -eq 138 ] || fail "status of a task that was ended by USR1"
+set -e
+[ "$(cat requeued)" = "requeue 7_3" ] || fail "a task that was stopped at once was not requeued"
+ok "a stop before the program listens"
