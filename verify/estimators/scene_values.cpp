@@ -24,7 +24,8 @@ std::vector<double> totals_of(const Record& record) {
 BlockTimes block_times(const Record& record) {
   const TallyLayout layout(record.run);
   const double interval = record.run.sample_interval;
-  return {std::ceil(record.run.start_up / interval) * interval, record.sums.at(layout.at(Tally::measured_time))};
+  return {std::ceil(record.run.start_up / interval) * interval,
+          record.blocks == 0 ? 0 : record.sums[layout.at(Tally::measured_time)]};
 }
 
 SceneValues::SceneValues(std::string name, const std::vector<Record>& records)

@@ -94,8 +94,11 @@ Evidence estimate_same_distributions(const Claim& claim, Tier, const SceneRecord
     if (scenes.size() != 2)
       throw InputError(fmt::format("{} scenes at e_n {}", scenes.size(), restitution), "two are compared",
                        "correct the claim's scenes");
-    for (const char* bin : {"first_bin", "second_bin"})
-      compare(evidence, claim, scenes[0], scenes[1], bin_parameter(claim, bin, scenes[0]));
+    for (const char* name : {"first_bin", "second_bin"}) {
+      const int bin = bin_parameter(claim, name, scenes[0]);
+      static_cast<void>(bin_parameter(claim, name, scenes[1]));
+      compare(evidence, claim, scenes[0], scenes[1], bin);
+    }
   }
   evidence.notes.emplace_back(tail_definitions);
   return evidence;
