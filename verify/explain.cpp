@@ -58,6 +58,13 @@ std::string runs(const Claim& claim) {
   return text;
 }
 
+/// What `gpf validate` needs to be told when the claim is not judged in its usual tier.
+std::string tier_option(const Claim& claim) {
+  for (const Tier tier : {Tier::quick, Tier::standard, Tier::full})
+    if (claim.judged_in(tier)) return tier == Tier::quick ? "" : fmt::format(" --tier {}", name_of(tier));
+  return "";
+}
+
 std::string wanted(const ClaimCheck& check) {
   std::string text = check.value;
   if (check.label != check.value) text = fmt::format("{}: {}", check.label, text);
@@ -83,7 +90,8 @@ std::string explain(const Claim& claim, const std::filesystem::path& reference) 
   for (const auto& [name, value] : claim.parameters) text += line("parameter", fmt::format("{} = {:.6g}", name, value));
   for (const ClaimCheck& check : claim.checks) text += line("check", wanted(check));
   for (const std::string& fault : claim.catches) text += line("to catch", fault);
-  return text + line("reproduce", fmt::format("gpf validate{} {}", folder_options(reference), claim.id));
+  return text +
+         line("reproduce", fmt::format("gpf validate{}{} {}", tier_option(claim), folder_options(reference), claim.id));
 }
 
 }  // namespace gpf

@@ -67,6 +67,7 @@ Evidence estimate_stress_divergence(const Claim& claim, Tier tier, const SceneRe
 Evidence estimate_n1_elastic(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_dissipation(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_reversal(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_n1_dilute(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_critical(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_kinetic(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_n1_collisional(const Claim& claim, Tier tier, const SceneRecords& records);
@@ -89,6 +90,7 @@ Evidence estimate_cx_wall(const Claim& claim, Tier tier, const SceneRecords& rec
 Evidence estimate_kn_dilute(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kn_restitution(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kn_wall(const Claim& claim, Tier tier, const SceneRecords& records);
+Evidence estimate_kn_paths(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_kn_density(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_slip_restitution(const Claim& claim, Tier tier, const SceneRecords& records);
 Evidence estimate_slip_wall(const Claim& claim, Tier tier, const SceneRecords& records);

@@ -1,4 +1,4 @@
-// n1.reversal, n1.kinetic, n1.collisional: N_1 and its parts at the centre of the channel.
+// n1.reversal, n1.dilute, n1.kinetic, n1.collisional: N_1 and its parts at the centre of the channel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,6 +41,35 @@ Evidence estimate_n1_reversal(const Claim& claim, Tier, const SceneRecords& reco
   for (const SceneRow& row : rows) {
     check_signs(claim, row, StressPart::both, evidence);
     append(evidence.notes, crossing_notes(row));
+  }
+  evidence.notes.emplace_back(centre_definition);
+  return evidence;
+}
+
+// Claim n1.dilute (fig. 4.8, ch. 6): in every row N_1 at the centre rises from one nu to the next, up to nu `maximum`.
+Evidence estimate_n1_dilute(const Claim& claim, Tier, const SceneRecords& records) {
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  const std::vector<SceneRow> rows = rows_of(scenes);
+  Evidence evidence;
+  evidence.plot = centre_plot(rows, StressPart::both, Density::mean);
+  evidence.plot.logx = true;
+  for (const SceneRow& row : rows) {
+    std::string note = row.label() + ", N_1 (its kinetic part) at Kn:";
+    for (std::size_t k = 0; k < row.scenes.size(); ++k) {
+      const SceneValues& scene = *row.scenes[k];
+      const std::vector<double> values = centre_value(scene, StressPart::both);
+      note += fmt::format(" {:.2g} {:.3f} ({:.3f}),", over_replicas(scene.of("knudsen_number_lab")).mean,
+                          over_replicas(values).mean, over_replicas(centre_value(scene, StressPart::kinetic)).mean);
+      const double nu = scene.scene().area_fraction();
+      if (k == 0 || nu > claim.parameter("maximum") + 1e-6) continue;
+      evidence.checks.push_back({.label = fmt::format("{}: N_1 at the centre, nu {:.3g} less nu {:.3g}", row.label(),
+                                                      nu, row.scenes[k - 1]->scene().area_fraction()),
+                                 .values = difference(values, centre_value(*row.scenes[k - 1], StressPart::both)),
+                                 .band = positive,
+                                 .x = nu});
+    }
+    note.back() = '.';
+    evidence.notes.push_back(std::move(note));
   }
   evidence.notes.emplace_back(centre_definition);
   return evidence;

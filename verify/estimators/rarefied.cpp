@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/scans.hpp"
@@ -10,15 +11,35 @@
 namespace gpf {
 namespace {
 
-/// ln of the largest over the smallest value among the scenes, in each replica.
-std::vector<double> log_range(const std::vector<const SceneValues*>& scenes, std::string_view quantity) {
-  std::vector<std::vector<double>> values;
-  for (const SceneValues* scene : scenes) values.push_back(scene->of(quantity));
-  return per_replica(values.empty() ? 0 : values.front().size(), [&](std::size_t r) {
+/// y of each scene, one value per replica: [scene][replica].
+using Values = std::vector<std::vector<double>>;
+
+/// Q = (integral of U over y)/(g W^3)^(1/2) (eq. 4.18): the mean of U over the bins, which are equally wide.
+std::vector<double> flow_rate(const SceneValues& scene) {
+  std::vector<double> rate(scene.replicas());
+  for (int bin = 0; bin < scene.bins(); ++bin)
+    rate = combined(rate, scene.of("mean_velocity", bin), [&](double sum, double u) { return sum + u / scene.bins(); });
+  return rate;
+}
+
+/// ln of the largest over the smallest of the values, in each replica.
+std::vector<double> log_range(const Values& logarithms) {
+  return per_replica(logarithms.front().size(), [&](std::size_t r) {
     double least = INFINITY, most = -INFINITY;
-    for (const std::vector<double>& at : values) least = std::min(least, at[r]), most = std::max(most, at[r]);
-    return std::log(most / least);
+    for (const std::vector<double>& at : logarithms) least = std::min(least, at[r]), most = std::max(most, at[r]);
+    return most - least;
   });
+}
+
+/// ln y of the scenes whose mean Kn lies between `from` and `to`.
+Values logarithms_between(const std::vector<SceneValues>& scan, const Values& y, double from, double to) {
+  Values logarithms;
+  for (std::size_t k = 0; k < scan.size(); ++k) {
+    if (mean_knudsen(scan[k]) < from || mean_knudsen(scan[k]) > to) continue;
+    logarithms.push_back(y[k]);
+    for (double& value : logarithms.back()) value = std::log(value);
+  }
+  return logarithms;
 }
 
 }  // namespace
@@ -56,40 +77,52 @@ Evidence estimate_kn_dilute(const Claim&, Tier, const SceneRecords& records) {
   return evidence;
 }
 
-/// Q and U_0 against Kn between rough walls (fig. 4.26), in (g W)^(1/2): over the decade of Kn below `edge` they change
-/// (ln of largest over smallest) less than half as much as over the decade above, where they fall from one point to the
-/// next.
+/// Q and U_0 against Kn between rough walls (fig. 4.26), in (g W)^(1/2). From the lowest Kn up to `edge` they change
+/// (ln of largest over smallest) less than half as much as from `edge` over as many decades up; their values at the
+/// ends of these ranges are interpolated. Above `edge` they fall from one point to the next.
 Evidence estimate_flow_knudsen(const Claim& claim, Tier, const SceneRecords& records) {
   const double edge = claim.parameter("edge");
   Evidence evidence;
   evidence.plot = {
       .title = "Mean flow between rough walls", .xlabel = "Kn", .ylabel = "Q, (g W)^(1/2)", .logx = true, .logy = true};
   for (const auto& [restitution, scan] : scans_by(normal_restitution, area_fraction, records, any_scene)) {
-    const std::vector<const SceneValues*> dense = between_knudsen(scan, edge / 10, edge),
-                                          dilute = between_knudsen(scan, edge, edge * 20),
-                                          decade = between_knudsen(scan, edge, edge * 10);
-    evidence.plot.series.push_back(over_knudsen(fmt::format("e_n {:.2g}", restitution), scan, "mean_flow"));
-    for (const char* quantity : {"mean_flow", "centre_velocity"}) {
-      const std::string what =
-          fmt::format("e_n {:.2g}, {}", restitution, std::string_view(quantity) == "mean_flow" ? "Q" : "U_0");
-      const std::vector<double> below = log_range(dense, quantity), above = log_range(decade, quantity);
+    const Values kn = values_of(scan, "knudsen_number_lab");
+    double lowest = edge;
+    for (const SceneValues& scene : scan) lowest = std::min(lowest, mean_knudsen(scene));
+    const double highest = edge * edge / lowest;
+    Values flow_rates;
+    for (const SceneValues& scene : scan) flow_rates.push_back(flow_rate(scene));
+    for (const bool centre : {false, true}) {
+      const Values y = centre ? values_of(scan, "centre_velocity") : flow_rates;
+      const std::string what = fmt::format("e_n {:.2g}, {}", restitution, centre ? "U_0" : "Q");
+      Values below_edge = logarithms_between(scan, y, 0, edge), above_edge = logarithms_between(scan, y, edge, highest);
+      const std::vector<double> at_edge = log_interpolated(kn, y, edge);
+      below_edge.push_back(at_edge);
+      above_edge.push_back(at_edge);
+      above_edge.push_back(log_interpolated(kn, y, highest));
+      const std::vector<double> below = log_range(below_edge), above = log_range(above_edge);
       evidence.checks.push_back(
-          {.label = fmt::format("{}: change over the decade of Kn below {:.2g} in units of that above", what, edge),
+          {.label = fmt::format("{}: change from the lowest Kn to {:.2g} in units of that as far above", what, edge),
            .values = combined(below, above, [](double a, double b) { return a / b; }),
            .band = {0, 0.5}});
-      for (std::size_t k = 1; k < dilute.size(); ++k)
-        evidence.checks.push_back({.label = fmt::format("{}: at Kn {:.2g} less that at Kn {:.2g}", what,
-                                                        mean_knudsen(*dilute[k - 1]), mean_knudsen(*dilute[k])),
-                                   .values = difference(dilute[k - 1]->of(quantity), dilute[k]->of(quantity)),
-                                   .band = {-INFINITY, 0},
-                                   .x = mean_knudsen(*dilute[k])});
       std::string values;
-      for (const SceneValues& scene : scan)
-        values += fmt::format(" {:.2g}: {},", mean_knudsen(scene), with_error(scene.of(quantity)));
+      Series points{.label = fmt::format("e_n {:.2g}", restitution)};
+      for (std::size_t k = 0; k < scan.size(); ++k) {
+        const double at = mean_knudsen(scan[k]);
+        values += fmt::format(" {:.2g}: {},", at, with_error(y[k]));
+        add_point(points, at, y[k]);
+        if (k == 0 || at < edge || at > edge * 20 || mean_knudsen(scan[k - 1]) > edge * 20) continue;
+        evidence.checks.push_back(
+            {.label = fmt::format("{}: at Kn {:.2g} less that at Kn {:.2g}", what, mean_knudsen(scan[k - 1]), at),
+             .values = difference(y[k - 1], y[k]),
+             .band = {-INFINITY, 0},
+             .x = at});
+      }
+      if (!centre) evidence.plot.series.push_back(std::move(points));
       evidence.notes.push_back(
           fmt::format("{}: changes by a factor {:.2f} over Kn {:.2g}-{:.2g}, by {:.2f} over {:.2g}-{:.2g}. At Kn{}.",
-                      what, std::exp(over_replicas(below).mean), edge / 10, edge, std::exp(over_replicas(above).mean),
-                      edge, edge * 10, values));
+                      what, std::exp(over_replicas(below).mean), lowest, edge, std::exp(over_replicas(above).mean),
+                      edge, highest, values));
     }
   }
   return evidence;

@@ -46,6 +46,11 @@ std::vector<double> combined(const std::vector<double>& a, const std::vector<dou
 }
 std::vector<double> log_ratio(const std::vector<double>& a, const std::vector<double>& b);  ///< ln(a/b)
 
+/// ln y where x = at, on the straight pieces in log-log through the points x[k], y[k] of a scan ([point][replica]), in
+/// each replica; NaN where no piece reaches.
+std::vector<double> log_interpolated(const std::vector<std::vector<double>>& x,
+                                     const std::vector<std::vector<double>>& y, double at);
+
 /// Appends two checks that a curve over a scan rises (falls) and falls (rises) again: its value at the interior point
 /// with the largest (smallest) mean against those at the first and the last point.
 enum class Extremum { maximum, minimum };

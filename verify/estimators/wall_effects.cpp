@@ -16,19 +16,6 @@ constexpr double rough_wall = 0.1, smooth_wall = 0.9;
 /// Channels seen at walls of more than two kinds are scans over the walls; the others only lend their curves.
 bool is_wall_scan(const std::vector<SceneValues>& scan) { return scan.size() > 2; }
 
-/// ln y at x on the straight pieces in log-log through the scan's points, in each replica; NaN where no piece reaches.
-std::vector<double> log_interpolated(const std::vector<SceneValues>& scan, std::string_view x_name,
-                                     std::string_view y_name, double x) {
-  const std::vector<std::vector<double>> xs = values_of(scan, x_name), ys = values_of(scan, y_name);
-  return per_replica(scan.front().replicas(), [&](std::size_t r) {
-    for (std::size_t k = 0; k + 1 < xs.size(); ++k) {
-      const double a = std::log(xs[k][r] / x), b = std::log(xs[k + 1][r] / x);
-      if (a * b <= 0) return (std::log(ys[k][r]) * b - std::log(ys[k + 1][r]) * a) / (b - a);
-    }
-    return std::nan("");
-  });
-}
-
 void add_scans_to_plot(Plot& plot, const Scans& scans, std::string_view quantity) {
   for (const auto& [nu, scan] : scans)
     if (is_wall_scan(scan))
@@ -119,7 +106,8 @@ Evidence estimate_slip_wall(const Claim& claim, Tier, const SceneRecords& record
     double below_wall = walls.front();
     for (const auto& [wall, curve] : curves) {
       if (std::abs(wall - rough_wall) > 1e-6 && std::abs(wall - smooth_wall) > 1e-6) continue;
-      const std::vector<double> slip = log_interpolated(curve, "knudsen_number_lab", "slip_velocity", kn);
+      const std::vector<double> slip =
+          log_interpolated(values_of(curve, "knudsen_number_lab"), values_of(curve, "slip_velocity"), kn);
       evidence.checks.push_back(
           {.label = fmt::format("Kn {:.2g}: ln slip at beta_w {:.2g} less that at {:.2g}", kn, wall, below_wall),
            .values = difference(slip, below),

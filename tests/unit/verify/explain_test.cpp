@@ -46,6 +46,12 @@ BOOST_AUTO_TEST_CASE(it_is_reproduced_where_it_lies) {
   BOOST_TEST(folder_options("reference", "there") == " --store there");
 }
 
+BOOST_AUTO_TEST_CASE(it_is_reproduced_in_the_first_tier_that_judges_it) {
+  Claim claim = parse_claim(test::claim_text, "eos.example.toml");
+  claim.scenes = {{Tier::standard, {"periodic-nu10"}}};
+  BOOST_TEST(explain(claim).ends_with("gpf validate --tier standard eos.example\n"));
+}
+
 BOOST_AUTO_TEST_CASE(a_claim_without_runs_and_tolerance_says_so) {
   Claim claim = parse_claim(test::claim_text, "eos.example.toml");
   claim.scenes.clear();

@@ -205,6 +205,16 @@ BOOST_AUTO_TEST_CASE(dissipation) {
   BOOST_TEST(outside(estimate_n1_dissipation(claim, Tier::standard, both(elastic, falling))).size() == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(rise_from_the_dilute_limit) {
+  const Claim claim = made_claim(0, {{"maximum", 0.15}});
+  const SceneRecords rises = row(0.8, {{0.01, {0.05, 0}}, {0.05, {0.2, 0}}, {0.15, {0.6, 0}}, {0.5, {0.1, 0}}}),
+                     dips = row(0.8, {{0.01, {0.5, 0}}, {0.05, {0.2, 0}}, {0.15, {0.6, 0}}, {0.5, {0.1, 0}}});
+  const Evidence evidence = estimate_n1_dilute(claim, Tier::standard, rises);
+  BOOST_TEST(evidence.checks.size() == 2u);  // the fall beyond the maximum is not of this claim
+  BOOST_TEST(all_inside(evidence));
+  BOOST_TEST(outside(estimate_n1_dilute(claim, Tier::standard, dips)).size() == 1u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace gpf::test

@@ -1,8 +1,11 @@
 #include "verify/estimators/scans.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
+#include "gpf/measure/distributions.hpp"
 #include "unit/verify/estimators/wall_record.hpp"
 #include "verify/estimators/estimators.hpp"
 
@@ -141,16 +144,60 @@ BOOST_AUTO_TEST_CASE(kn_of_order_one_falls) {
 }
 
 BOOST_AUTO_TEST_CASE(flow_is_flat_below_the_edge_and_falls_above) {
-  const auto failures = [](double densest) {
+  const auto evidence_for = [](double densest) {
     SceneRecords records;
     const auto run = [&](double nu, double kn, double flow) {
       add(records, {.area_fraction = nu, .knudsen = kn, .velocity = {0.1, 0.2, flow}});
     };
     run(0.5, 0.01, densest), run(0.4, 0.03, 4), run(0.2, 0.06, 3.9), run(0.1, 0.2, 2), run(0.05, 0.4, 1);
-    return outside(estimate_flow_knudsen(made_claim(0, {{"edge", 0.05}}), Tier::quick, records)).size();
+    return estimate_flow_knudsen(made_claim(0, {{"edge", 0.05}}), Tier::quick, records);
   };
+  const auto failures = [&](double densest) { return outside(evidence_for(densest)).size(); };
+  // U_0 at Kn .05 on the line in log-log through (.03, 4) and (.06, 3.9), at .25 through (.2, 2) and (.4, 1).
+  const double at_edge = 4 * std::pow(3.9 / 4, std::log2(0.05 / 0.03)), far = 2 * 0.2 / 0.25;
+  BOOST_TEST(check_with(evidence_for(3.5), "U_0: change").values[0] == std::log(4 / 3.5) / std::log(at_edge / far),
+             close);
+  // Q is the mean over the bins, not over the disks: (.1 + .2 + U_0)/3.
+  BOOST_TEST(check_with(evidence_for(3.5), "Q: at Kn 0.4").values[0] == (1.0 - 2.0) / 3, close);
   BOOST_TEST(failures(3.5) == 0u);
   BOOST_TEST(failures(1.9) == 2u);  // Q and U_0
+}
+
+/// Paths whose share of longer ones falls as survival(s), s in Enskog mean free paths.
+template <class F>
+SceneRecords path_records(F&& survival) {
+  SceneRecords records;
+  add(records, {.area_fraction = 0.15});
+  constexpr std::size_t cells = Distributions::path_cells;
+  const double octaves = std::log2(Distributions::path_most / Distributions::path_least);
+  const auto longer = [&](double k) {
+    return survival(Distributions::path_least * std::exp2(octaves * k / static_cast<double>(cells)));
+  };
+  for (Record& record : records.begin()->second)
+    for (const char* name : {"free_path/lab", "free_path/peculiar"}) {
+      NamedArray paths(name, {cells});
+      for (std::size_t k = 0; k < cells; ++k)
+        paths.values[k] = 1e6 * (longer(static_cast<double>(k)) - longer(static_cast<double>(k) + 1));
+      record.arrays.push_back(std::move(paths));
+    }
+  return records;
+}
+
+BOOST_AUTO_TEST_CASE(exponential_paths_are_told_from_power_laws_and_gaussians) {
+  const auto evidence_for = [](auto survival) {
+    return estimate_kn_paths(made_claim(0, {{"judged_at", 0.15}}), Tier::standard, path_records(survival));
+  };
+  const Evidence exponential = evidence_for([](double s) { return std::exp(-s / 0.7); }),
+                 gaussian = evidence_for([](double s) { return std::exp(-s * s / 3); }),
+                 power_law = evidence_for([](double s) { return std::min(1.0, std::pow(s, -4.0)); });
+  BOOST_TEST_REQUIRE(exponential.checks.size() == 1u);
+  BOOST_TEST(std::abs(exponential.checks[0].values[0]) < 1e-6);
+  BOOST_TEST(all_inside(exponential));
+  BOOST_TEST(gaussian.checks[0].values[0] == std::log(9.0 / 4), boost::test_tools::tolerance(0.05));  // nearest edges
+  BOOST_TEST(power_law.checks[0].values[0] == std::log(std::log(2.0) / 3 / (std::log(3.0) / 2)),
+             boost::test_tools::tolerance(0.05));
+  BOOST_TEST(outside(gaussian).size() == 1u);
+  BOOST_TEST(outside(power_law).size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(temperature_falls_between_smooth_walls_and_peaks_between_rough_ones) {
