@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "gpf/io/atomic_file.hpp"
@@ -10,8 +9,6 @@
 
 namespace gpf {
 namespace {
-
-constexpr std::array<const char*, 3> styles{"points", "line", "band"};
 
 std::string number_in(const std::vector<double>& values, std::size_t i) {
   return i < values.size() && std::isfinite(values[i]) ? fmt::format("{}", values[i]) : "";
@@ -26,7 +23,7 @@ std::string plot_csv(const Plot& plot) {
       {"series", "style", axis_name(plot.xlabel, "x"), axis_name(plot.ylabel, "y"), "error", "lower", "upper"});
   for (const Series& s : plot.series)
     for (std::size_t i = 0; i < s.x.size(); ++i)
-      text += csv_line({s.label, styles[static_cast<std::size_t>(s.style)], number_in(s.x, i), number_in(s.y, i),
+      text += csv_line({s.label, std::string(name_of(s.style)), number_in(s.x, i), number_in(s.y, i),
                         number_in(s.yerr, i), number_in(s.lower, i), number_in(s.upper, i)});
   return text;
 }

@@ -75,13 +75,6 @@ std::string interval_text(const JudgedCheck& c) {
   return fmt::format("[{}, {}]", rounded(c.interval.lo, half), rounded(c.interval.hi, half));
 }
 
-std::string band_text(const Interval& band) {
-  if (std::isinf(band.lo) && std::isinf(band.hi)) return "any";
-  if (std::isinf(band.lo)) return fmt::format("<= {:.6g}", band.hi);
-  if (std::isinf(band.hi)) return fmt::format(">= {:.6g}", band.lo);
-  return fmt::format("[{:.6g}, {:.6g}]", band.lo, band.hi);
-}
-
 std::vector<std::size_t> tightest(const std::vector<JudgedCheck>& checks, std::size_t count) {
   std::vector<std::size_t> order(checks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -29,8 +29,6 @@ std::string margin_text(const JudgedCheck& check);
 /// Mean with the digits that its interval justifies; "1e-14 ... 3e-14" for an exact check of several values.
 std::string value_text(const JudgedCheck& check);
 std::string interval_text(const JudgedCheck& check);
-/// "[0.9, 1.1]", "<= 1.1", ">= 0.9".
-std::string band_text(const Interval& band);
 
 /// Positions in `checks` of the `count` tightest, in ascending order: failed ones first, then undecided ones, then
 /// those with the least margin.

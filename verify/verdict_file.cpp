@@ -17,7 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr std::string_view format_name = "gpf verdict 1";
-constexpr std::array<std::string_view, 3> styles{"points", "line", "band"};
 
 // JSON has no infinity and no NaN.
 Json number(double value) {
@@ -62,7 +61,7 @@ Json plot_json(const Plot& plot) {
   Json series = Json::array();
   for (const Series& s : plot.series)
     series.push_back({{"label", s.label},
-                      {"style", styles[static_cast<std::size_t>(s.style)]},
+                      {"style", name_of(s.style)},
                       {"x", numbers(s.x)},
                       {"y", numbers(s.y)},
                       {"yerr", numbers(s.yerr)},
@@ -75,8 +74,8 @@ Json plot_json(const Plot& plot) {
 }
 
 SeriesStyle style_named(const std::string& name) {
-  for (std::size_t k = 0; k < styles.size(); ++k)
-    if (styles[k] == name) return static_cast<SeriesStyle>(k);
+  for (const SeriesStyle style : {SeriesStyle::points, SeriesStyle::line, SeriesStyle::band})
+    if (name_of(style) == name) return style;
   throw InputError(fmt::format("unknown style '{}' of a series", name), "a verdict's plot cannot be read",
                    "judge again");
 }

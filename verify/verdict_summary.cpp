@@ -24,31 +24,24 @@ double room(const JudgedCheck& c) {
   return distance < 0 ? -infinity : infinity;
 }
 
-std::string edge_text(const Interval& band) {
-  if (std::isinf(band.lo) && std::isinf(band.hi)) return "(any value)";
-  if (std::isinf(band.lo)) return fmt::format("<= {:.6g}", band.hi);
-  if (std::isinf(band.hi)) return fmt::format(">= {:.6g}", band.lo);
-  return fmt::format("[{:.6g}, {:.6g}]", band.lo, band.hi);
-}
-
 std::string check_text(const JudgedCheck& c) {
   if (c.check.values.empty()) return fmt::format("{}: no values", c.check.label);
   if (c.check.exact) {
     const std::string range = c.interval.lo == c.interval.hi
                                   ? fmt::format("{:.6g}", c.interval.lo)
                                   : fmt::format("{:.6g} ... {:.6g}", c.interval.lo, c.interval.hi);
-    return fmt::format("{}: {}, wanted {}", c.check.label, range, edge_text(c.check.band));
+    return fmt::format("{}: {}, wanted {}", c.check.label, range, band_text(c.check.band));
   }
   if (!std::isfinite(c.summary.mean)) return fmt::format("{}: not measured in every replica", c.check.label);
   if (c.check.share)
     return fmt::format("{}: {:.0f} of {} replicas, share [{:.2f}, {:.2f}], wanted {}", c.check.label,
                        c.summary.mean * static_cast<double>(c.check.values.size()), c.check.values.size(),
-                       c.interval.lo, c.interval.hi, edge_text(c.check.band));
+                       c.interval.lo, c.interval.hi, band_text(c.check.band));
   if (!std::isfinite(c.interval.width()))
     return fmt::format("{}: {:.6g}, one replica gives no error", c.check.label, c.summary.mean);
   const double half = c.interval.width() / 2;
   return fmt::format("{}: {} +- {}, wanted {}", c.check.label, rounded(c.summary.mean, half), rounded(half, half),
-                     edge_text(c.check.band));
+                     band_text(c.check.band));
 }
 
 template <class Key>
@@ -60,6 +53,13 @@ const JudgedCheck* least(const std::vector<JudgedCheck>& checks, Outcome outcome
 }
 
 }  // namespace
+
+std::string band_text(const Interval& band) {
+  if (std::isinf(band.lo) && std::isinf(band.hi)) return "any";
+  if (std::isinf(band.lo)) return fmt::format("<= {:.6g}", band.hi);
+  if (std::isinf(band.hi)) return fmt::format(">= {:.6g}", band.lo);
+  return fmt::format("[{:.6g}, {:.6g}]", band.lo, band.hi);
+}
 
 std::string rounded(double value, double uncertainty) {
   if (!std::isfinite(value) || !(uncertainty > 0) || !std::isfinite(uncertainty)) return fmt::format("{:.6g}", value);

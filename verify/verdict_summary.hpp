@@ -20,6 +20,9 @@ std::string summary_of(const Verdict& verdict);
 /// the far end of the interval: such tolerances are too wide. Else empty. Bands with an open side do not count.
 std::string unused_tolerance(const std::vector<JudgedCheck>& checks);
 
+/// "[0.9, 1.1]", "<= 1.1", ">= 0.9", or "any".
+std::string band_text(const Interval& band);
+
 /// "0.1234" with the digits that its uncertainty justifies: two of the half width `uncertainty`.
 std::string rounded(double value, double uncertainty);
 

@@ -8,6 +8,7 @@
 #include "gpf/io/markdown.hpp"
 #include "gpf/stats/interval.hpp"
 #include "verify/report_markdown.hpp"
+#include "verify/verdict_summary.hpp"
 
 namespace gpf {
 namespace {
@@ -20,8 +21,6 @@ std::string mean_text(const ClaimEstimate& e) {
   const ReplicaSummary s = summarise(e.values);
   return s.count < 2 ? fmt::format("{:.6g}", s.mean) : number_with_error(s.mean, s.standard_error());
 }
-
-std::string band_text(Interval band) { return fmt::format("[{:.4g}, {:.4g}]", band.lo, band.hi); }
 
 double standard_errors(const Shift& s) { return s.error > 0 ? std::abs(s.difference) / s.error : INFINITY; }
 

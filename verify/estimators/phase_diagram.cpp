@@ -88,8 +88,8 @@ double median_of(const std::vector<Point>& points, double (Point::*number)() con
 constexpr const char* somewhere = "somewhere between";
 
 /// The regions that a claim can speak of: the shortest and the longest channels; of those between, for each width, the
-/// length at which `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those on either
-/// side of the median width and length; all.
+/// length at which `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those below the
+/// median width and length; those of the largest width or length; all.
 std::vector<const Point*> region(const std::string& name, const std::vector<Point>& points,
                                  const std::vector<Structure>& wanted) {
   const std::vector<double> lengths = lengths_of(points);
@@ -99,12 +99,14 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
   if (name == "shortest") return at(lengths.front());
   if (name == "longest") return at(lengths.back());
   if (name == "everywhere") return those(points, [](const Point&) { return true; });
-  if (name == "narrow and short" || name == "wide and long") {
+  if (name == "narrow and short") {
     const double length = median_of(points, &Point::length), width = median_of(points, &Point::width);
-    return those(points, [&](const Point& p) {
-      return name == "wide and long" ? p.width() > width && p.length() > length
-                                     : p.width() < width && p.length() < length;
-    });
+    return those(points, [&](const Point& p) { return p.width() < width && p.length() < length; });
+  }
+  if (name == "widest or longest") {
+    double width = 0;
+    for (const Point& p : points) width = std::max(width, p.width());
+    return those(points, [&](const Point& p) { return p.width() == width || same_length(p.length(), lengths.back()); });
   }
   if (name == somewhere) {
     std::set<double> widths;
@@ -122,7 +124,7 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
     return all;
   }
   throw InputError(fmt::format("unknown region '{}' of a phase diagram", name), "a claim's [structures] names it",
-                   "write shortest, longest, somewhere between, narrow and short, wide and long, or everywhere");
+                   "write shortest, longest, somewhere between, narrow and short, widest or longest, or everywhere");
 }
 
 std::string lengths_text(const std::vector<const Point*>& points) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,11 @@ enum class SeriesStyle {
   line,    ///< x, y; broken where a value is not finite
   band     ///< between lower and upper over x, and a line through y where y is given
 };
+
+/// "points", "line", "band": in files.
+constexpr std::string_view name_of(SeriesStyle style) {
+  return style == SeriesStyle::points ? "points" : style == SeriesStyle::line ? "line" : "band";
+}
 
 /// Vectors that a style uses have one entry per x. Values that are not finite, or not positive on a logarithmic axis,
 /// are left out.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "unit/verify/synthetic_claim.hpp"
+#include "verify/verdict_summary.hpp"
 
 using gpf::JudgedCheck;
 using gpf::Outcome;
