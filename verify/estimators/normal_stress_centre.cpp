@@ -6,6 +6,7 @@
 
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/normal_stress_crossing.hpp"
+#include "verify/estimators/scans.hpp"
 
 namespace gpf {
 namespace {
@@ -46,7 +47,8 @@ Evidence estimate_n1_reversal(const Claim& claim, Tier, const SceneRecords& reco
   return evidence;
 }
 
-// Claim n1.dilute (fig. 4.8, ch. 6): in every row N_1 at the centre rises from one nu to the next, up to nu `maximum`.
+// Claim n1.dilute (fig. 4.8, ch. 6): in every row N_1 at the centre rises from one nu to the next, up to nu `maximum`;
+// at the lowest nu it is less than half as large as there.
 Evidence estimate_n1_dilute(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
@@ -67,6 +69,17 @@ Evidence estimate_n1_dilute(const Claim& claim, Tier, const SceneRecords& record
                                  .values = difference(values, centre_value(*row.scenes[k - 1], StressPart::both)),
                                  .band = positive,
                                  .x = nu});
+    }
+    if (const SceneValues* most = find_scene(row, claim.parameter("maximum"))) {
+      const double nu = row.scenes.front()->scene().area_fraction();
+      evidence.checks.push_back(
+          {.label = fmt::format("{}: |N_1| at the centre, nu {:.3g}, less half of that at nu {:.3g}", row.label(), nu,
+                                claim.parameter("maximum")),
+           .values = combined(magnitude(centre_value(*row.scenes.front(), StressPart::both)),
+                              centre_value(*most, StressPart::both),
+                              [](double dilute, double largest) { return dilute - largest / 2; }),
+           .band = negative,
+           .x = nu});
     }
     note.back() = '.';
     evidence.notes.push_back(std::move(note));

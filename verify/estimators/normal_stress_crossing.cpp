@@ -17,6 +17,26 @@ Series centre_series(const SceneRow& row, StressPart part, Density density, std:
   return points;
 }
 
+/// Sign of the mean over replicas where it is certain to crossing_alpha, else 0.
+int sure_sign(const std::vector<double>& values) {
+  if (values.size() < 2) return 0;
+  const Estimate e = over_replicas(values);
+  const double bound = student_t_quantile(1 - crossing_alpha, static_cast<double>(values.size() - 1)) * e.error;
+  return e.mean > bound ? 1 : e.mean < -bound ? -1 : 0;
+}
+
+/// Where the straight line of least squares crosses zero.
+double zero_of_line(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weight) {
+  double w = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) w += weight[k], mean_x += weight[k] * x[k], mean_y += weight[k] * y[k];
+  mean_x /= w, mean_y /= w;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += weight[k] * square(x[k] - mean_x);
+    xy += weight[k] * (x[k] - mean_x) * (y[k] - mean_y);
+  }
+  return mean_x - mean_y * xx / xy;
+}
+
 }  // namespace
 
 std::vector<double> density_of(const SceneValues& scene, Density density) {
@@ -31,25 +51,47 @@ std::vector<double> centre_value(const SceneValues& scene, StressPart part, Mean
 }
 
 SignChange sign_change(const SceneRow& row, StressPart part, Density density, MeanFlow mean) {
+  std::vector<std::vector<double>> y;
+  for (const SceneValues* scene : row.scenes) y.push_back(centre_value(*scene, part, mean));
   SignChange change;
-  for (std::size_t k = 0; k + 1 < row.scenes.size(); ++k)
-    if (over_replicas(centre_value(*row.scenes[k], part, mean)).mean > 0 &&
-        over_replicas(centre_value(*row.scenes[k + 1], part, mean)).mean <= 0) {
-      change.below = row.scenes[k];
-      change.above = row.scenes[k + 1];
-    }
-  if (!change.found()) return change;
-  const std::vector<double> x_below = density_of(*change.below, density), x_above = density_of(*change.above, density),
-                            y_below = centre_value(*change.below, part, mean),
-                            y_above = centre_value(*change.above, part, mean);
-  const std::size_t replicas = std::min(y_below.size(), y_above.size());
+  std::size_t first = y.size(), last = y.size();
+  for (std::size_t k = y.size(); k-- > 0;) {
+    if (sure_sign(y[k]) < 0) last = k;
+    if (sure_sign(y[k]) <= 0 || last == y.size()) continue;
+    first = k;
+    break;
+  }
+  if (first == y.size()) return change;
+  change.below = row.scenes[first];
+  change.above = row.scenes[last];
+
+  std::vector<std::vector<double>> x;
+  std::vector<double> mean_x;
+  std::vector<Estimate> estimates;
+  y = {y.begin() + static_cast<std::ptrdiff_t>(first), y.begin() + static_cast<std::ptrdiff_t>(last) + 1};
+  std::size_t replicas = y.front().size();
+  bool errors = true;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    x.push_back(density_of(*row.scenes[first + k], density));
+    mean_x.push_back(over_replicas(x.back()).mean);
+    estimates.push_back(over_replicas(y[k]));
+    replicas = std::min(replicas, y[k].size());
+    errors = errors && estimates.back().error > 0;
+  }
   change.densities = per_replica(replicas, [&](std::size_t r) {
-    return x_below[r] + (x_above[r] - x_below[r]) * y_below[r] / (y_below[r] - y_above[r]);
+    std::vector<double> at, value, weight;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      at.push_back(x[k][r]);
+      value.push_back(y[k][r]);
+      weight.push_back(errors ? 1 / square(estimates[k].error) : 1);
+    }
+    return zero_of_line(at, value, weight);
   });
-  if (replicas < 2) return change;
-  const Estimate below = over_replicas(y_below), above = over_replicas(y_above);
-  if (!(below.error > 0) || !(above.error > 0)) return change;
-  change.crossing = crossing_between(over_replicas(x_below).mean, below, over_replicas(x_above).mean, above, replicas);
+  if (!errors) return change;
+  change.crossing = y.size() == 2
+                        ? crossing_between(mean_x[0], estimates[0], mean_x[1], estimates[1], replicas)
+                        : zero_crossing(fit_line(mean_x, estimates),
+                                        student_t_quantile(1 - crossing_alpha, static_cast<double>(replicas - 1)));
   return change;
 }
 

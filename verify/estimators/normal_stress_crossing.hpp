@@ -21,15 +21,16 @@ std::string name_of(Density density);  ///< "nu", "nu_bin"
 /// N_1, or its share of a part, in the centre pair of bins.
 std::vector<double> centre_value(const SceneValues& scene, StressPart part, MeanFlow mean = MeanFlow::instantaneous);
 
-/// Error rate at each end of Fieller's interval in a note.
+/// Error rate at each end of Fieller's interval in a note, and of a sign that counts as certain.
 inline constexpr double crossing_alpha = 0.01;
 
 /// Zero of the line through the means over `replicas` replicas at two points, with Fieller's interval at crossing_alpha
 /// per end. Throws InputError unless the errors are above 0, the means differ and replicas >= 2.
 Crossing crossing_between(double x_below, Estimate below, double x_above, Estimate above, std::size_t replicas);
 
-/// Change of sign from plus to minus along a row, by straight lines between the last scene before it and the first
-/// after it: the last such change of the means over replicas.
+/// Change of sign from plus to minus along a row: between the last scene where the value is certainly positive before
+/// one where it is certainly negative, and the first such one. On the straight line of least squares through these two
+/// and the scenes between them, weighted by their errors.
 struct SignChange {
   const SceneValues *below = nullptr, *above = nullptr;  ///< null: there is none
   std::vector<double> densities;                         ///< one per replica, replica r of both scenes together

@@ -1,6 +1,7 @@
 // n1.critical, n1.phase: the densities at which N_1 and its collisional part change sign at the centre of the channel.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "verify/estimators/estimators.hpp"
@@ -30,9 +31,9 @@ Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
 }
 
 // Claims n1.phase, n1.phase.rough (fig. 4.13): the density where N_1 changes sign less that where N_1^c does, the gap.
-// Within `coincidence` of zero in rows below e_n `elastic`, and beyond it, to the positive side, in the others. Two
-// changes of sign between the same two scenes are resolved only if these are no farther apart than `coincidence`; else
-// the gap has no values, and nothing is decided.
+// Within `coincidence` of zero in rows below e_n `elastic`, and beyond it, to the positive side, in the others. The
+// densities between which either sign may change overlap by no more than `coincidence`; else the gap has no values, and
+// nothing is decided.
 Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
@@ -40,11 +41,11 @@ Evidence estimate_n1_phase(const Claim& claim, Tier, const SceneRecords& records
   const auto gap = [&](const SceneRow& row, Density density) {
     const SignChange whole = sign_change(row, StressPart::both, density),
                      collisional = sign_change(row, StressPart::collisional, density);
-    const bool one_bracket = whole.found() && whole.below == collisional.below;
-    if (one_bracket &&
-        over_replicas(density_of(*whole.above, density)).mean - over_replicas(density_of(*whole.below, density)).mean >
-            coincidence)
-      return std::vector<double>{};
+    if (!whole.found() || !collisional.found()) return std::vector<double>{};
+    const auto at = [&](const SceneValues* scene) { return over_replicas(density_of(*scene, density)).mean; };
+    const double overlap =
+        std::min(at(whole.above), at(collisional.above)) - std::max(at(whole.below), at(collisional.below));
+    if (overlap > coincidence) return std::vector<double>{};
     return difference(whole.densities, collisional.densities);
   };
   Evidence evidence;

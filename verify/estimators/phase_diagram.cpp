@@ -78,9 +78,9 @@ std::vector<double> lengths_of(const std::vector<Point>& points) {
   return lengths;
 }
 
-double median_of(const std::vector<Point>& points, double (Point::*number)() const) {
+double median_width(const std::vector<Point>& points) {
   std::vector<double> values;
-  for (const Point& p : points) values.push_back((p.*number)());
+  for (const Point& p : points) values.push_back(p.width());
   std::sort(values.begin(), values.end());
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
@@ -89,7 +89,7 @@ constexpr const char* somewhere = "somewhere between";
 
 /// The regions that a claim can speak of: the shortest and the longest channels; of those between, for each width, the
 /// length at which `wanted` is most frequent in the even replicas, so that the odd ones can be judged; those below the
-/// median width and length; those of the largest width or length; all.
+/// median width; those of the largest width or length; all.
 std::vector<const Point*> region(const std::string& name, const std::vector<Point>& points,
                                  const std::vector<Structure>& wanted) {
   const std::vector<double> lengths = lengths_of(points);
@@ -99,9 +99,9 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
   if (name == "shortest") return at(lengths.front());
   if (name == "longest") return at(lengths.back());
   if (name == "everywhere") return those(points, [](const Point&) { return true; });
-  if (name == "narrow and short") {
-    const double length = median_of(points, &Point::length), width = median_of(points, &Point::width);
-    return those(points, [&](const Point& p) { return p.width() < width && p.length() < length; });
+  if (name == "narrow") {
+    const double width = median_width(points);
+    return those(points, [&](const Point& p) { return p.width() < width; });
   }
   if (name == "widest or longest") {
     double width = 0;
@@ -124,13 +124,16 @@ std::vector<const Point*> region(const std::string& name, const std::vector<Poin
     return all;
   }
   throw InputError(fmt::format("unknown region '{}' of a phase diagram", name), "a claim's [structures] names it",
-                   "write shortest, longest, somewhere between, narrow and short, widest or longest, or everywhere");
+                   "write shortest, longest, somewhere between, narrow, widest or longest, or everywhere");
 }
 
-std::string lengths_text(const std::vector<const Point*>& points) {
-  std::set<std::string> texts;
-  for (const Point* p : points) texts.insert(fmt::format("{:.3g}", p->length()));
-  return fmt::format("L/W {}", fmt::join(texts, ", "));
+std::string points_text(const std::vector<const Point*>& points) {
+  std::set<std::string> lengths, widths;
+  for (const Point* p : points) {
+    lengths.insert(fmt::format("{:.3g}", p->length()));
+    widths.insert(fmt::format("{:.3g}", p->width()));
+  }
+  return fmt::format("{} points, L/W {}, W/d {}", points.size(), fmt::join(lengths, ", "), fmt::join(widths, ", "));
 }
 
 /// Of all runs, those with the label that is the most frequent one at the other points of their length and width: how
@@ -207,7 +210,7 @@ Evidence estimate_phase_diagram(const Claim& claim, Tier, const SceneRecords& re
   for (const auto& [name, stated] : claim.structures) {
     const std::vector<Structure> wanted = structures_named(stated);
     const std::vector<const Point*> chosen = region(name, points, wanted);
-    add(fmt::format("{} ({}): runs with a {}", name, lengths_text(chosen), stated),
+    add(fmt::format("{} ({}): runs with a {}", name, points_text(chosen), stated),
         hits(chosen, wanted, name == somewhere ? Runs::odd : Runs::all), majority);
   }
   if (claim.parameters.contains("alike"))

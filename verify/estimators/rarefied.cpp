@@ -79,7 +79,7 @@ Evidence estimate_kn_dilute(const Claim&, Tier, const SceneRecords& records) {
 
 /// Q and U_0 against Kn between rough walls (fig. 4.26), in (g W)^(1/2). From the lowest Kn up to `edge` they change
 /// (ln of largest over smallest) less than half as much as from `edge` over as many decades up; their values at the
-/// ends of these ranges are interpolated. Above `edge` they fall from one point to the next.
+/// ends of these ranges are interpolated. Clear of `edge`, by a tenth, they fall from one point to the next.
 Evidence estimate_flow_knudsen(const Claim& claim, Tier, const SceneRecords& records) {
   const double edge = claim.parameter("edge");
   Evidence evidence;
@@ -111,9 +111,10 @@ Evidence estimate_flow_knudsen(const Claim& claim, Tier, const SceneRecords& rec
         const double at = mean_knudsen(scan[k]);
         values += fmt::format(" {:.2g}: {},", at, with_error(y[k]));
         add_point(points, at, y[k]);
-        if (k == 0 || at < edge || at > edge * 20 || mean_knudsen(scan[k - 1]) > edge * 20) continue;
+        if (k == 0 || at < edge * 1.1 || mean_knudsen(scan[k - 1]) > edge * 20) continue;
         evidence.checks.push_back(
-            {.label = fmt::format("{}: at Kn {:.2g} less that at Kn {:.2g}", what, mean_knudsen(scan[k - 1]), at),
+            {.label = fmt::format("{}: at nu {:.3g} less that at nu {:.3g}", what, area_fraction(scan[k - 1].scene()),
+                                  area_fraction(scan[k].scene())),
              .values = difference(y[k - 1], y[k]),
              .band = {-INFINITY, 0},
              .x = at});

@@ -1,4 +1,7 @@
 // algo.walls: what each wall takes of a gas that nothing drives.
+#include <cmath>
+#include <vector>
+
 #include "gpf/measure/tallies.hpp"
 #include "verify/estimators/estimators.hpp"
 #include "verify/estimators/ratio_checks.hpp"
@@ -22,6 +25,14 @@ double loss_ratio(const Record& r, Wall wall) {
   return lost / (expected * (1 - square(beta)));
 }
 
+/// Mean of c_x over the whole window, in units of the thermal velocity then.
+double drift(const Record& r) {
+  const TallyLayout layout(r.run);
+  const std::vector<double> sums = totals_of(r);
+  const double seen = sums[layout.at(Tally::samples)] * r.scene.particles;
+  return sums[layout.at(Tally::momentum)] / seen / std::sqrt(sums[layout.at(Tally::energy)] / seen);
+}
+
 }  // namespace
 
 Evidence estimate_wall_losses(const Claim& claim, Tier, const SceneRecords& records) {
@@ -33,6 +44,11 @@ Evidence estimate_wall_losses(const Claim& claim, Tier, const SceneRecords& reco
                  replicas, [wall](const Record& r) { return loss_ratio(r, wall); });
   Evidence evidence =
       ratios.evidence("Energy lost at each wall, over what its contacts take", "energy lost over its expectation");
+  for (const auto& [name, replicas] : records)
+    evidence.checks.push_back(
+        {.label = name + ": mean c_x over the thermal velocity, of a gas between walls at rest",
+         .values = per_replica(replicas.size(), [&](std::size_t k) { return drift(replicas[k]); }),
+         .band = band_about(0, claim.parameter("at_rest"))});
   evidence.notes = {"Contacts are counted, not predicted: how often disks reach a wall does not enter."};
   return evidence;
 }

@@ -87,18 +87,43 @@ BOOST_AUTO_TEST_CASE(the_density_of_a_change_of_sign) {
   BOOST_TEST(!sign_change(rows_of(none).front(), StressPart::both, Density::mean).found());
 }
 
+/// N_1 of mean `value` that scatters by +-.01 between four replicas.
+std::vector<Record> scattered(double nu, double value) {
+  std::vector<Record> records;
+  for (const double sign : {-1.0, 1.0, -1.0, 1.0}) records.push_back(flow(nu, {value + 0.01 * sign, 0}));
+  return records;
+}
+
 BOOST_AUTO_TEST_CASE(fieller_comes_from_the_scatter_of_the_replicas) {
   SceneRecords records;
-  records["a"] = {flow(0.2, {0.19, 0}), flow(0.2, {0.21, 0})};
-  records["b"] = {flow(0.4, {-0.19, 0}), flow(0.4, {-0.21, 0})};
+  records["a"] = scattered(0.2, 0.2);
+  records["b"] = scattered(0.4, -0.2);
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const SignChange change = sign_change(rows_of(scenes).front(), StressPart::both, Density::mean);
   BOOST_TEST(change.crossing.at == 0.3, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(change.crossing.bounded());
-  // Error .01 at either end, t_{.99, 2} = 6.965 = q, slope -2 with error .0707: half width q (.01/sqrt 2)/2 over
-  // sqrt(1 - (q .0707/2)^2).
-  const double half = 6.965 * 0.01 / std::sqrt(2.0) / 2 / std::sqrt(1 - std::pow(6.965 * 0.1 / std::sqrt(2.0) / 2, 2));
+  // Error e at either end, t_{.99, 6} = q, slope -2 with error s: half width q (e/sqrt 2)/2 over sqrt(1 - (q s/2)^2).
+  const double q = 3.142668, e = 0.01 / std::sqrt(3.0), s = e * std::sqrt(2.0) / 0.2;
+  const double half = q * e / std::sqrt(2.0) / 2 / std::sqrt(1 - std::pow(q * s / 2, 2));
   BOOST_TEST(std::abs(change.crossing.interval.width() - 2 * half) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(only_a_certain_sign_is_a_side_of_the_change) {
+  SceneRecords records;
+  records["a"] = scattered(0.1, 0.2);
+  records["b"] = scattered(0.2, 0.02);  // t_{.99, 3} = 4.5 errors of .0058 are more
+  records["c"] = scattered(0.3, -0.2);
+  const std::vector<SceneValues> scenes = by_area_fraction(records);
+  const SignChange change = sign_change(rows_of(scenes).front(), StressPart::both, Density::mean);
+  BOOST_TEST_REQUIRE(change.found());
+  BOOST_TEST(change.below->scene().area_fraction() == 0.1, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(change.above->scene().area_fraction() == 0.3, boost::test_tools::tolerance(1e-9));
+  // The line through (.1, .2), (.2, .02), (.3, -.2): slope -2, and .02/3 at .2; in a replica .01 higher or lower.
+  BOOST_TEST(change.densities[0] == 0.2 + (0.02 / 3 - 0.01) / 2, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(change.crossing.at == 0.2 + 0.02 / 6, boost::test_tools::tolerance(1e-9));
+  records["c"] = scattered(0.3, -0.02);
+  const std::vector<SceneValues> uncertain = by_area_fraction(records);
+  BOOST_TEST(!sign_change(rows_of(uncertain).front(), StressPart::both, Density::mean).found());
 }
 
 BOOST_AUTO_TEST_CASE(reversal) {
@@ -210,9 +235,9 @@ BOOST_AUTO_TEST_CASE(rise_from_the_dilute_limit) {
   const SceneRecords rises = row(0.8, {{0.01, {0.05, 0}}, {0.05, {0.2, 0}}, {0.15, {0.6, 0}}, {0.5, {0.1, 0}}}),
                      dips = row(0.8, {{0.01, {0.5, 0}}, {0.05, {0.2, 0}}, {0.15, {0.6, 0}}, {0.5, {0.1, 0}}});
   const Evidence evidence = estimate_n1_dilute(claim, Tier::standard, rises);
-  BOOST_TEST(evidence.checks.size() == 2u);  // the fall beyond the maximum is not of this claim
+  BOOST_TEST(evidence.checks.size() == 3u);  // two rises and the beginning; the fall beyond is not of this claim
   BOOST_TEST(all_inside(evidence));
-  BOOST_TEST(outside(estimate_n1_dilute(claim, Tier::standard, dips)).size() == 1u);
+  BOOST_TEST(outside(estimate_n1_dilute(claim, Tier::standard, dips)).size() == 2u);  // a fall, and not from zero
 }
 
 BOOST_AUTO_TEST_SUITE_END()

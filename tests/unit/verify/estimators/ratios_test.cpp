@@ -23,7 +23,8 @@ Record cooled(double lost, const std::string& more = "") {
   return record;
 }
 
-/// 64 disks between walls of .9 and .5, with a temperature of 2: 30 contacts with each, and what they took.
+/// 64 disks between walls of .9 and .5, with a temperature of 2, drifting at .03: 30 contacts with each, and what they
+/// took.
 Record braked(double lower_loss, double upper_loss) {
   return made_record(
       "[scene]\ngeometry = \"channel\"\ngravity = 0\nparticles = 64\nwidth_over_diameter = 12\narea_fraction = 0.1\n"
@@ -31,6 +32,7 @@ Record braked(double lower_loss, double upper_loss) {
       [&](const SetTally& set) {
         set(Tally::samples, 0, 10);
         set(Tally::energy, 0, 10 * 64 * 2);
+        set(Tally::momentum, 0, 10 * 64 * 0.03);
         for (const int wall : {0, 1}) set(Tally::wall_contacts, wall, 30);
         set(Tally::wall_loss, 0, lower_loss);
         set(Tally::wall_loss, 1, upper_loss);
@@ -69,12 +71,15 @@ BOOST_AUTO_TEST_CASE(each_wall_is_measured_by_its_own_contacts) {
   SceneRecords records;
   const double lower = 30 * 0.5 * (1 - 0.81) * 2, upper = 30 * 0.5 * (1 - 0.25) * 2;
   records["walls"] = {braked(lower, 1.1 * upper), braked(upper, lower)};
-  const Evidence evidence = estimate_wall_losses(made_claim(0.04), Tier::quick, records);
-  BOOST_TEST_REQUIRE(evidence.checks.size() == 2u);
+  const Evidence evidence = estimate_wall_losses(made_claim(0.04, {{"at_rest", 0.005}}), Tier::quick, records);
+  BOOST_TEST_REQUIRE(evidence.checks.size() == 3u);
   BOOST_TEST(std::abs(evidence.checks[0].values.at(0) - 1) < 1e-12);
   BOOST_TEST(std::abs(evidence.checks[1].values.at(0) - 1.1) < 1e-12);
   BOOST_TEST(std::abs(evidence.checks[0].values.at(1) - 0.75 / 0.19) < 1e-12);  // walls exchanged
   BOOST_TEST(evidence.checks[0].band.lo == 0.96);
+  BOOST_TEST(evidence.checks[2].values == std::vector({0.03 / std::sqrt(2), 0.03 / std::sqrt(2)}),
+             boost::test_tools::tolerance(1e-12) << boost::test_tools::per_element());
+  BOOST_TEST(evidence.checks[2].band.hi == 0.005);
 }
 
 BOOST_AUTO_TEST_CASE(bins_are_measured_with_a_degree_of_freedom_less) {

@@ -46,19 +46,34 @@ bool has_ffmpeg() {
   }
 }
 
+using boost::test_tools::assertion_result;
+using boost::unit_test::precondition;
+using boost::unit_test::test_unit_id;
+
+assertion_result skipped_unless(bool there, const char* why) {
+  assertion_result result(there);
+  if (!there) result.message() << why;
+  return result;
+}
+assertion_result with_ffmpeg(test_unit_id) { return skipped_unless(has_ffmpeg(), "there is no ffmpeg"); }
+assertion_result with_page_parts(test_unit_id) {
+  return skipped_unless(has_page_parts(), "built without the page's parts (GPF_VIEW)");
+}
+assertion_result without_page_parts(test_unit_id) {
+  return skipped_unless(!has_page_parts(), "built with the page's parts (GPF_VIEW)");
+}
+
 }  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(view_command, Flow)
 
-BOOST_AUTO_TEST_CASE(without_its_plots_the_program_says_how_to_get_them) {
-  if (has_page_parts()) return;
+BOOST_AUTO_TEST_CASE(without_its_plots_the_program_says_how_to_get_them, *precondition(without_page_parts)) {
   const ProcessResult page = gpf({"view", at("scene.toml")});
   BOOST_TEST(page.exit_status == 2);
   BOOST_TEST(contains(page.errors, "GPF_VIEW=ON"));
 }
 
-BOOST_AUTO_TEST_CASE(a_page_stands_beside_its_record_and_is_not_overwritten) {
-  if (!has_page_parts()) return;
+BOOST_AUTO_TEST_CASE(a_page_stands_beside_its_record_and_is_not_overwritten, *precondition(with_page_parts)) {
   run();
   const ProcessResult page = gpf({"view", at("run.h5"), "--frames", "4"});
   BOOST_TEST_REQUIRE(page.exit_status == 0, page.errors);
@@ -74,8 +89,7 @@ BOOST_AUTO_TEST_CASE(a_page_stands_beside_its_record_and_is_not_overwritten) {
 }
 
 // 900 disks, 240 frames: below 4 MB.
-BOOST_AUTO_TEST_CASE(a_page_is_small) {
-  if (!has_page_parts()) return;
+BOOST_AUTO_TEST_CASE(a_page_is_small, *precondition(with_page_parts)) {
   std::ofstream(folder / "scene.toml")
       << "[scene]\ngeometry = \"channel\"\nparticles = 900\narea_fraction = 0.2\nwidth_over_diameter = 31\n"
          "normal_restitution = 0.9\nwall_tangential_restitution = 0.9\n[run]\nduration = 1\n";
@@ -123,7 +137,10 @@ BOOST_AUTO_TEST_CASE(a_movie_needs_ffmpeg) {
                                             "");
   BOOST_TEST(without.exit_status == 4);
   BOOST_TEST(contains(without.errors, "apt-get install ffmpeg"));
-  if (!has_ffmpeg()) return;
+  BOOST_TEST((folder.names() == std::vector<std::string>{"scene.toml"}));
+}
+
+BOOST_AUTO_TEST_CASE(movies_are_mp4_or_gif, *precondition(with_ffmpeg)) {
   for (const char* name : {"flow.mp4", "flow.gif"}) {
     const ProcessResult movie = gpf({"view", at("scene.toml"), "--movie", at(name), "--frames", "3"});
     BOOST_TEST(movie.exit_status == 0, movie.errors);
@@ -132,25 +149,30 @@ BOOST_AUTO_TEST_CASE(a_movie_needs_ffmpeg) {
   BOOST_TEST((folder.names() == std::vector<std::string>{"flow.gif", "flow.mp4", "scene.toml"}));
 }
 
-BOOST_AUTO_TEST_CASE(a_signal_leaves_nothing) {
-  for (const bool movie : {false, true}) {
-    if (movie ? !has_ffmpeg() : !has_page_parts()) continue;
-    std::vector<std::string> storage{GPF_PROGRAM,    "view",     at("scene.toml"), movie ? "--movie" : "-o",
-                                     at("flow.mp4"), "--frames", "100000"};
-    if (!movie) storage.insert(storage.end(), {"--interval", "1000"});
-    std::vector<char*> argv;
-    for (std::string& argument : storage) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    pid_t process = 0;
-    BOOST_REQUIRE(::posix_spawn(&process, argv.front(), nullptr, nullptr, argv.data(), environ) == 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-    ::kill(process, SIGTERM);
-    int status = 0;
-    ::waitpid(process, &status, 0);
-    BOOST_TEST(WIFEXITED(status));
-    BOOST_TEST(WEXITSTATUS(status) == 75);
-    BOOST_TEST((folder.names() == std::vector<std::string>{"scene.toml"}));
-  }
+/// Stops `gpf view` of a scene with these options in the middle of its work.
+void stop_in_the_middle(const Flow& flow, std::vector<std::string> options) {
+  std::vector<std::string> storage{GPF_PROGRAM, "view", flow.at("scene.toml"), "--frames", "100000"};
+  storage.insert(storage.end(), options.begin(), options.end());
+  std::vector<char*> argv;
+  for (std::string& argument : storage) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  pid_t process = 0;
+  BOOST_REQUIRE(::posix_spawn(&process, argv.front(), nullptr, nullptr, argv.data(), environ) == 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  ::kill(process, SIGTERM);
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  BOOST_TEST(WIFEXITED(status));
+  BOOST_TEST(WEXITSTATUS(status) == 75);
+  BOOST_TEST((flow.folder.names() == std::vector<std::string>{"scene.toml"}));
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_leaves_no_movie, *precondition(with_ffmpeg)) {
+  stop_in_the_middle(*this, {"--movie", at("flow.mp4")});
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_leaves_no_page, *precondition(with_page_parts)) {
+  stop_in_the_middle(*this, {"-o", at("flow.html"), "--interval", "1000"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
