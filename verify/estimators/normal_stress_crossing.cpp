@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gpf/base/vec2.hpp"
+#include "gpf/stats/hypothesis.hpp"
 
 namespace gpf {
 namespace {
@@ -78,6 +79,13 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
     replicas = std::min(replicas, y[k].size());
     errors = errors && estimates.back().error > 0;
   }
+  if (errors && y.size() > 2) {
+    const LineFit line = fit_line(mean_x, estimates);
+    if (chi2_p_value(line.chi2, line.degrees_of_freedom) < crossing_alpha) return change;
+    change.crossing = zero_crossing(line, student_t_quantile(1 - crossing_alpha, static_cast<double>(replicas - 1)));
+  }
+  if (errors && y.size() == 2)
+    change.crossing = crossing_between(mean_x[0], estimates[0], mean_x[1], estimates[1], replicas);
   change.densities = per_replica(replicas, [&](std::size_t r) {
     std::vector<double> at, value, weight;
     for (std::size_t k = 0; k < y.size(); ++k) {
@@ -87,11 +95,6 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
     }
     return zero_of_line(at, value, weight);
   });
-  if (!errors) return change;
-  change.crossing = y.size() == 2
-                        ? crossing_between(mean_x[0], estimates[0], mean_x[1], estimates[1], replicas)
-                        : zero_crossing(fit_line(mean_x, estimates),
-                                        student_t_quantile(1 - crossing_alpha, static_cast<double>(replicas - 1)));
   return change;
 }
 

@@ -28,9 +28,10 @@ inline constexpr double crossing_alpha = 0.01;
 /// per end. Throws InputError unless the errors are above 0, the means differ and replicas >= 2.
 Crossing crossing_between(double x_below, Estimate below, double x_above, Estimate above, std::size_t replicas);
 
-/// Change of sign from plus to minus along a row: between the last scene where the value is certainly positive before
-/// one where it is certainly negative, and the first such one. On the straight line of least squares through these two
-/// and the scenes between them, weighted by their errors.
+/// Change of sign from plus to minus along a row: between the last scene where the value is certainly positive before one
+/// where it is certainly negative, and the first such one. On the straight line of least squares through these two and
+/// the scenes between them, weighted by their errors; no densities where no line goes through them (chi2, to
+/// crossing_alpha).
 struct SignChange {
   const SceneValues *below = nullptr, *above = nullptr;  ///< null: there is none
   std::vector<double> densities;                         ///< one per replica, replica r of both scenes together

@@ -111,16 +111,20 @@ BOOST_AUTO_TEST_CASE(fieller_comes_from_the_scatter_of_the_replicas) {
 BOOST_AUTO_TEST_CASE(only_a_certain_sign_is_a_side_of_the_change) {
   SceneRecords records;
   records["a"] = scattered(0.1, 0.2);
-  records["b"] = scattered(0.2, 0.02);  // t_{.99, 3} = 4.5 errors of .0058 are more
+  records["b"] = scattered(0.2, 0.01);  // t_{.99, 3} = 4.5 errors of .0058 are more
   records["c"] = scattered(0.3, -0.2);
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const SignChange change = sign_change(rows_of(scenes).front(), StressPart::both, Density::mean);
   BOOST_TEST_REQUIRE(change.found());
   BOOST_TEST(change.below->scene().area_fraction() == 0.1, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(change.above->scene().area_fraction() == 0.3, boost::test_tools::tolerance(1e-9));
-  // The line through (.1, .2), (.2, .02), (.3, -.2): slope -2, and .02/3 at .2; in a replica .01 higher or lower.
-  BOOST_TEST(change.densities[0] == 0.2 + (0.02 / 3 - 0.01) / 2, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(change.crossing.at == 0.2 + 0.02 / 6, boost::test_tools::tolerance(1e-9));
+  // The line through (.1, .2), (.2, .01), (.3, -.2): slope -2, and .01/3 at .2; in a replica .01 higher or lower.
+  BOOST_TEST(change.densities.at(0) == 0.2 + (0.01 / 3 - 0.01) / 2, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(change.crossing.at == 0.2 + 0.01 / 6, boost::test_tools::tolerance(1e-9));
+  records["c"] = scattered(0.3, -0.5);  // no line goes through these
+  const std::vector<SceneValues> bent = by_area_fraction(records);
+  BOOST_TEST(sign_change(rows_of(bent).front(), StressPart::both, Density::mean).found());
+  BOOST_TEST(sign_change(rows_of(bent).front(), StressPart::both, Density::mean).densities.empty());
   records["c"] = scattered(0.3, -0.02);
   const std::vector<SceneValues> uncertain = by_area_fraction(records);
   BOOST_TEST(!sign_change(rows_of(uncertain).front(), StressPart::both, Density::mean).found());
