@@ -9,8 +9,9 @@
 
 namespace gpf {
 
-// Claim n1.critical (figs. 4.8, 4.13): between the same walls, the density at which N_1 changes sign is higher in the
-// row of the next lower e_n; as mean area fraction and as that of the centre bins.
+// Claim n1.critical (figs. 4.8, 4.13): between the same walls, N_1 is still positive in the row of the next lower e_n
+// where it is negative already in the other: the last scene before the change of sign in the one is no less dense than
+// the first after it in the other; by mean area fraction and by that of the centre bins.
 Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
   const std::vector<SceneValues> scenes = by_area_fraction(records);
   const std::vector<SceneRow> rows = rows_of(scenes);
@@ -19,12 +20,25 @@ Evidence estimate_n1_critical(const Claim&, Tier, const SceneRecords& records) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     append(evidence.notes, crossing_notes(rows[k]));
     if (k == 0 || rows[k - 1].wall_restitution != rows[k].wall_restitution) continue;
+    const SceneValues* negative = sign_change(rows[k - 1], StressPart::both, Density::mean).above;
+    const SceneValues* positive = sign_change(rows[k], StressPart::both, Density::mean).below;
+    const bool both = negative != nullptr && positive != nullptr;
+    const auto sign = [&](const SceneRow& row, const SceneValues* scene, const char* name, Interval band) {
+      const std::string at = both ? fmt::format(", nu {:.3g}", scene->scene().area_fraction()) : "";
+      evidence.checks.push_back({.label = fmt::format("{}{}: N_1 at the centre is {}", row.label(), at, name),
+                                 .values = both ? centre_value(*scene, StressPart::both) : std::vector<double>{},
+                                 .band = band});
+    };
+    sign(rows[k], positive, "positive", {0, INFINITY});
+    sign(rows[k - 1], negative, "negative", {-INFINITY, 0});
     for (const Density density : {Density::mean, Density::local})
-      evidence.checks.push_back({.label = fmt::format("{}: {} where N_1 changes sign, less that at e_n {:.3g}",
-                                                      rows[k].label(), name_of(density), rows[k - 1].restitution),
-                                 .values = difference(sign_change(rows[k], StressPart::both, density).densities,
-                                                      sign_change(rows[k - 1], StressPart::both, density).densities),
-                                 .band = {0, INFINITY}});
+      evidence.checks.push_back(
+          {.label = fmt::format("{}: {} there less that at e_n {:.3g}", rows[k].label(), name_of(density),
+                                rows[k - 1].restitution),
+           .values = both ? difference(density_of(*positive, density), density_of(*negative, density))
+                          : std::vector<double>{},
+           .band = {0, INFINITY},
+           .exact = density == Density::mean});
   }
   evidence.notes.emplace_back(centre_definition);
   return evidence;
