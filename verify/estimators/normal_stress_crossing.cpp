@@ -26,18 +26,6 @@ int sure_sign(const std::vector<double>& values) {
   return e.mean > bound ? 1 : e.mean < -bound ? -1 : 0;
 }
 
-/// Where the straight line of least squares crosses zero.
-double zero_of_line(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weight) {
-  double w = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) w += weight[k], mean_x += weight[k] * x[k], mean_y += weight[k] * y[k];
-  mean_x /= w, mean_y /= w;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += weight[k] * square(x[k] - mean_x);
-    xy += weight[k] * (x[k] - mean_x) * (y[k] - mean_y);
-  }
-  return mean_x - mean_y * xx / xy;
-}
-
 }  // namespace
 
 std::vector<double> density_of(const SceneValues& scene, Density density) {
@@ -87,13 +75,14 @@ SignChange sign_change(const SceneRow& row, StressPart part, Density density, Me
   if (errors && y.size() == 2)
     change.crossing = crossing_between(mean_x[0], estimates[0], mean_x[1], estimates[1], replicas);
   change.densities = per_replica(replicas, [&](std::size_t r) {
-    std::vector<double> at, value, weight;
+    std::vector<double> at;
+    std::vector<Estimate> value;  // of this replica, with the error of the mean as its weight
     for (std::size_t k = 0; k < y.size(); ++k) {
       at.push_back(x[k][r]);
-      value.push_back(y[k][r]);
-      weight.push_back(errors ? 1 / square(estimates[k].error) : 1);
+      value.push_back({y[k][r], errors ? estimates[k].error : 1});
     }
-    return zero_of_line(at, value, weight);
+    const LineFit line = fit_line(at, value);
+    return -line.intercept / line.slope;
   });
   return change;
 }

@@ -22,13 +22,14 @@ std::vector<double> flow_rate(const SceneValues& scene) {
   return rate;
 }
 
-/// ln of the largest over the smallest of the values, in each replica.
+/// ln of the largest over the smallest of the values, in each replica that all of them have; NaN where one is.
 std::vector<double> log_range(const Values& logarithms) {
-  return per_replica(logarithms.front().size(), [&](std::size_t r) {
-    double least = INFINITY, most = -INFINITY;
-    for (const std::vector<double>& at : logarithms) least = std::min(least, at[r]), most = std::max(most, at[r]);
-    return most - least;
-  });
+  std::vector<double> least = logarithms.front(), most = least;
+  for (const std::vector<double>& at : logarithms) {
+    least = combined(least, at, [](double a, double b) { return b < a || std::isnan(b) ? b : a; });
+    most = combined(most, at, [](double a, double b) { return b > a || std::isnan(b) ? b : a; });
+  }
+  return difference(most, least);
 }
 
 /// ln y of the scenes whose mean Kn lies between `from` and `to`.

@@ -65,7 +65,9 @@ std::vector<double> log_ratio(const std::vector<double>& a, const std::vector<do
 
 std::vector<double> log_interpolated(const std::vector<std::vector<double>>& x,
                                      const std::vector<std::vector<double>>& y, double at) {
-  return per_replica(x.empty() ? 0 : x.front().size(), [&](std::size_t r) {
+  std::size_t replicas = x.empty() ? 0 : x.front().size();
+  for (const std::vector<double>& values : x) replicas = std::min(replicas, values.size());
+  return per_replica(replicas, [&](std::size_t r) {
     for (std::size_t k = 0; k + 1 < x.size(); ++k) {
       const double a = std::log(x[k][r] / at), b = std::log(x[k + 1][r] / at);
       if (a * b <= 0) return (std::log(y[k][r]) * b - std::log(y[k + 1][r]) * a) / (b - a);

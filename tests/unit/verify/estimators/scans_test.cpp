@@ -173,6 +173,13 @@ BOOST_AUTO_TEST_CASE(flow_is_flat_below_the_edge_and_falls_above) {
   BOOST_TEST(check_with(evidence_for(3.5), "Q: at nu 0.05").values[0] == (1.0 - 2.0) / 3, close);
   BOOST_TEST(failures(3.5) == 0u);
   BOOST_TEST(failures(1.9) == 2u);  // Q and U_0
+
+  // A scan that does not reach as far above .05 as below has no values there, rather than those of a shorter range.
+  SceneRecords short_scan;
+  add(short_scan, {.area_fraction = 0.5, .knudsen = 0.01, .velocity = {0.1, 0.2, 4}});
+  add(short_scan, {.area_fraction = 0.1, .knudsen = 0.2, .velocity = {0.1, 0.2, 2}});
+  const Evidence too_short = estimate_flow_knudsen(made_claim(0, {{"edge", 0.05}}), Tier::quick, short_scan);
+  BOOST_TEST(std::isnan(check_with(too_short, "U_0: change").values.at(0)));
 }
 
 /// Paths whose share of longer ones falls as survival(s), s in Enskog mean free paths.
