@@ -181,4 +181,19 @@ BOOST_AUTO_TEST_CASE(a_small_chart_from_beginning_to_end) {
   BOOST_TEST(std::filesystem::exists(folder.path() / "page" / "methods" / "a-mean_velocity.csv"));
 }
 
+/// When it fails: `gpf chart --redraw`, and read what has changed.
+BOOST_AUTO_TEST_CASE(the_committed_page_is_that_of_the_committed_points) {
+  const std::filesystem::path reference = GPF_REFERENCE, reports = GPF_REPORTS;
+  const test::TemporaryFolder folder;
+  write_chart_page(load_chart_plan(reference / "methods.toml"),
+                   points_in(read_text(reference / "methods.csv"), "methods.csv"), folder.path());
+  BOOST_TEST((read_text(folder.path() / "methods.md") == read_text(reports / "methods.md")));
+  std::size_t plots = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "methods")) {
+    BOOST_TEST(std::filesystem::exists(reports / "methods" / entry.path().filename()), entry.path().filename());
+    ++plots;
+  }
+  BOOST_TEST(plots == 44U);  // two for each of 22
+}
+
 BOOST_AUTO_TEST_SUITE_END()
