@@ -53,6 +53,9 @@ class Cells {
     rows_ = fit(height, channel_ ? 1 : 3);
     width_ = length_ / columns_;
     height_ = height / rows_;
+    const auto margin = [this](double extent) { return std::max((extent - narrowest_) / 2, 1e-10 * narrowest_); };
+    margin_x_ = margin(width_);
+    margin_y_ = margin(height_);
     near_ = {columns_, rows_, length_, channel_ ? 0.0 : 1.0};
     lines_.assign(size(), CellLine{});
   }
@@ -92,7 +95,9 @@ class Cells {
     }
   }
 
-  /// When and through which side a disk in free flight leaves its cell.
+  /// When and through which side a disk in free flight leaves its cell: not until it is outside by half of what a cell
+  /// is wider than a disk, or at the side of the box. Two disks whose cells are no neighbours still cannot touch then,
+  /// and many a disk collides before it would have to be moved.
   struct Exit {
     double time;
     Side side;
@@ -102,8 +107,8 @@ class Cells {
   [[nodiscard]] Exit exit(const Place& place, const Flight& f) const {
     const bool right = f.vx > 0, up = f.vy > 0;
     const Index edge_x = place.column + Index{right}, edge_y = place.row + Index{up};
-    const double x = edge_x == columns_ ? length_ : edge_x * width_;
-    const double y = edge_y == rows_ ? upper_ : lower_ + edge_y * height_;
+    const double x = std::clamp(edge_x * width_ + (right ? margin_x_ : -margin_x_), 0.0, length_);
+    const double y = std::clamp(lower_ + edge_y * height_ + (up ? margin_y_ : -margin_y_), lower_, upper_);
     const bool wall = channel_ && (edge_y == 0 || edge_y == rows_);
     const double flight_x = f.vx != 0 ? std::max((x - f.x) / f.vx, 0.0) : never;
     const double flight_y = f.vy != 0 ? std::max((y - f.y) / f.vy, 0.0) : never;
@@ -137,15 +142,26 @@ class Cells {
     return true;
   }
 
-  /// The earliest contact of flight `a` with the disks of a block of cells around `place`; see Neighbourhood.
-  template <bool a_is_latest = false, class Fail>
-  [[nodiscard]] FoundContact earliest(const Place& place, const Flight& a, FoundContact known, Block block,
-                                      const Disk* disks, Index nobody, const ContactTime& contact_time,
-                                      Fail&& fail) const {
-    const NearCells& near = near_(place.column, place.row, block);
-    const CellLine* const home = &lines_[number(place)];
-    if (near.shifted) return ask<a_is_latest, true>(near, home, a, known, disks, nobody, contact_time, fail);
-    return ask<a_is_latest, false>(near, home, a, known, disks, nobody, contact_time, fail);
+  /// A disk that asks: from which cell, its flight, the contact that it knows of, and then the earliest that it has
+  /// found.
+  struct Question {
+    Place place;
+    Flight flight;
+    FoundContact contact;
+  };
+
+  /// Answers each question with the disks of a block of cells around its place; see Neighbourhood. Two questions are
+  /// worked on side by side, for each of them is a long chain of operations that wait for each other. fail(k) when a
+  /// disk overlaps the k-th asker.
+  template <bool asker_is_latest, std::size_t count, class Fail>
+  void answer(std::array<Question, count>& questions, Block block, const Disk* disks, Index nobody,
+              const ContactTime& contact_time, Fail&& fail) const {
+    bool shifted = false;
+    for (const Question& q : questions) shifted |= near_(q.place.column, q.place.row, block).shifted;
+    if (shifted)
+      answer_shifted<asker_is_latest, true>(questions, block, disks, nobody, contact_time, fail);
+    else
+      answer_shifted<asker_is_latest, false>(questions, block, disks, nobody, contact_time, fail);
   }
 
   /// Fetches a block of cells around `place` from memory.
@@ -166,33 +182,75 @@ class Cells {
   }
 
  private:
-  template <bool a_is_latest, bool shifted, class Fail>
-  FoundContact ask(const NearCells& near, const CellLine* home, const Flight& a, FoundContact known, const Disk* disks,
-                   Index nobody, const ContactTime& contact_time, Fail&& fail) const {
-    Neighbourhood<shifted> neighbours;
+  template <bool asker_is_latest, bool shifted, std::size_t count, class Fail>
+  void answer_shifted(std::array<Question, count>& questions, Block block, const Disk* disks, Index nobody,
+                      const ContactTime& contact_time, Fail&& fail) const {
+    std::array<Neighbourhood<shifted>, count> near;
     std::uint32_t continued = 0;
-    const auto gather = [&](std::size_t k) {
+    unsigned most = 0;
+#pragma GCC unroll 2
+    for (std::size_t n = 0; n < count; ++n) {
+      continued |= gather(questions[n].place, block, near[n]);
+      most = std::max(most, near[n].count());
+    }
+#pragma GCC unroll 2
+    for (std::size_t n = 0; n < count; ++n) near[n].begin(questions[n].contact.time, nobody, most);
+    for (unsigned k = 0; k < most; k += lane_width) {
+#pragma GCC unroll 2
+      for (std::size_t n = 0; n < count; ++n)
+        near[n].template ask<asker_is_latest>(k, questions[n].flight, disks, contact_time);
+    }
+#pragma GCC unroll 2
+    for (std::size_t n = 0; n < count; ++n) {
+      if (near[n].overlap()) [[unlikely]]
+        fail(n);
+      questions[n].contact = near[n].earliest(questions[n].contact, disks);
+    }
+    if (continued == 0) [[likely]]
+      return;
+    for (std::size_t n = 0; n < count; ++n)
+      ask_the_rest<asker_is_latest>(questions[n], block, disks, nobody, contact_time, [&] { fail(n); });
+  }
+
+  /// The first lines of a block of cells. Returns 0 if no cell has more of them.
+  template <bool shifted>
+  std::uint32_t gather(const Place& place, Block block, Neighbourhood<shifted>& neighbours) const {
+    const NearCells& near = near_(place.column, place.row, block);
+    const CellLine* const home = &lines_[number(place)];
+    std::uint32_t continued = 0;
+    const auto cell = [&](std::size_t k) {
       const CellLine& line = home[near.cells[k].offset];
       neighbours.gather(line, near.cells[k].shift_x, near.cells[k].shift_y);
       continued |= line.next;
     };
     if (near.count == 9)
 #pragma GCC unroll 9
-      for (std::size_t k = 0; k < 9; ++k) gather(k);
+      for (std::size_t k = 0; k < 9; ++k) cell(k);
     else if (near.count == 3)
 #pragma GCC unroll 3
-      for (std::size_t k = 0; k < 3; ++k) gather(k);
+      for (std::size_t k = 0; k < 3; ++k) cell(k);
     else
-      for (std::size_t k = 0; k < near.count; ++k) gather(k);
-    known = neighbours.template earliest<a_is_latest>(a, known, disks, nobody, contact_time, fail);
-    if (continued == 0) return known;
-    for (std::size_t k = 0; k < near.count; ++k)
-      for (std::uint32_t more = home[near.cells[k].offset].next; more != 0; more = lines_[more].next) {
+      for (std::size_t k = 0; k < near.count; ++k) cell(k);
+    return continued;
+  }
+
+  /// Asks the disks of all lines but the first of each cell.
+  template <bool asker_is_latest, class Fail>
+  [[gnu::noinline]] void ask_the_rest(Question& question, Block block, const Disk* disks, Index nobody,
+                                      const ContactTime& contact_time, Fail&& fail) const {
+    const NearCells& near = near_(question.place.column, question.place.row, block);
+    const CellLine* const home = &lines_[number(question.place)];
+    for (std::size_t cell = 0; cell < near.count; ++cell)
+      for (std::uint32_t more = home[near.cells[cell].offset].next; more != 0; more = lines_[more].next) {
         Neighbourhood<true> rest;
-        rest.gather(lines_[more], near.cells[k].shift_x, near.cells[k].shift_y);
-        known = rest.template earliest<a_is_latest>(a, known, disks, nobody, contact_time, fail);
+        rest.gather(lines_[more], near.cells[cell].shift_x, near.cells[cell].shift_y);
+        rest.begin(question.contact.time, nobody, rest.count());
+        for (unsigned k = 0; k < rest.count(); k += lane_width)
+          rest.ask<asker_is_latest>(k, question.flight, disks, contact_time);
+        if (rest.overlap()) [[unlikely]]
+          fail();
+        question.contact = rest.earliest(question.contact, disks);
       }
-    return known;
   }
 
   [[nodiscard]] std::size_t number(Index column, Index row) const {
@@ -202,6 +260,7 @@ class Cells {
   double lower_, upper_, length_, narrowest_, area_per_disk_;
   Index columns_ = 0, rows_ = 0;
   double width_ = 0, height_ = 0;
+  double margin_x_ = 0, margin_y_ = 0;  // more than round-off: exit() clamps to the sides of the box
   NearCellsOfGrid near_;
   std::vector<CellLine, HugePages<CellLine>> lines_;  // of each cell the first, then those that continue others
 };

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 #ifdef __AVX__
 #include <immintrin.h>
@@ -41,16 +43,27 @@ unsigned bits(Mask mask) {
 #endif
 }
 
-/// Four flights side by side.
-inline FlightOf<Lane> abreast(const Flight& a, const Flight& b, const Flight& c, const Flight& d) {
-  const Lane ra{a.x, a.y, a.vx, a.vy}, rb{b.x, b.y, b.vx, b.vy}, rc{c.x, c.y, c.vx, c.vy}, rd{d.x, d.y, d.vx, d.vy};
-  const Lane even_ab = __builtin_shufflevector(ra, rb, 0, 4, 2, 6),
-             odd_ab = __builtin_shufflevector(ra, rb, 1, 5, 3, 7);
-  const Lane even_cd = __builtin_shufflevector(rc, rd, 0, 4, 2, 6),
-             odd_cd = __builtin_shufflevector(rc, rd, 1, 5, 3, 7);
-  return {__builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5), __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5),
-          __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7), __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7),
-          Lane{a.time, b.time, c.time, d.time}};
+/// Four disks side by side: their flights, and the contacts that they have found.
+struct Abreast {
+  FlightOf<Lane> flight;
+  Lane contact;
+};
+
+/// Numbers are read in pairs, as they lie in memory.
+inline Abreast abreast(const Disk& a, const Disk& b, const Disk& c, const Disk& d) {
+  static_assert(offsetof(Disk, flight) == 0 && offsetof(Disk, contact) == sizeof(Flight));
+  using Pair = double __attribute__((vector_size(16)));
+  const auto pairs = [](const Disk& first, const Disk& second, std::size_t k) {
+    Pair low, high;
+    std::memcpy(&low, reinterpret_cast<const std::byte*>(&first) + k * sizeof low, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const std::byte*>(&second) + k * sizeof high, sizeof high);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+  };
+  const auto even = [](Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 0, 4, 2, 6); };
+  const auto odd = [](Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 1, 5, 3, 7); };
+  const Lane r_ac = pairs(a, c, 0), r_bd = pairs(b, d, 0), v_ac = pairs(a, c, 1), v_bd = pairs(b, d, 1);
+  const Lane t_ac = pairs(a, c, 2), t_bd = pairs(b, d, 2);
+  return {{even(r_ac, r_bd), odd(r_ac, r_bd), even(v_ac, v_bd), odd(v_ac, v_bd), even(t_ac, t_bd)}, odd(t_ac, t_bd)};
 }
 
 }  // namespace gpf

@@ -1,4 +1,4 @@
-// The question that one disk puts to all disks of the cells around it: whom shall I touch first?
+// The question that a disk puts to all disks of the cells around it: whom shall I touch first?
 #pragma once
 
 #include <algorithm>
@@ -37,51 +37,61 @@ struct FoundContact {
   Index partner = -1;
 };
 
-/// Disks gathered from cells, and asked four at a time without a branch on their number or their answers. With
-/// `shifted` each is taken in an image of its own.
+/// The disks of the cells around one that asks, which are asked four at a time without a branch on their number or
+/// their answers. With `shifted` each is taken in an image of its own.
 template <bool shifted>
 class Neighbourhood {
  public:
   /// Room for nine lines. They are copied whole, though only their first disks count: that costs less than a branch on
   /// their number.
   void gather(const CellLine& line, double shift_x, double shift_y) {
-    std::memcpy(&numbers_[count_], &line, sizeof line);
-    if constexpr (shifted)
-      for (unsigned k = 0; k < CellLine::room; ++k) shift_x_[count_ + k] = shift_x, shift_y_[count_ + k] = shift_y;
+    Line copy;
+    std::memcpy(&copy, &line, sizeof copy);
+    std::memcpy(&numbers_[count_], &copy, sizeof copy);
+    if constexpr (shifted) shift(count_, shift_x, shift_y);
     count_ += line.count;
   }
 
-  /// The earliest of the contact that disk `a` knows of and those with the disks gathered; of equal times the one with
-  /// the lowest id. A disk that has found an earlier contact for itself is no partner: it will collide before.
-  /// disks[nobody] meets nobody, because its position is not a number. Calls fail() when a disk overlaps deeper than
-  /// round-off explains.
-  template <bool a_is_latest, class Fail>
-  FoundContact earliest(const Flight& a, FoundContact known, const Disk* disks, Index nobody,
-                        const ContactTime& contact_time, Fail&& fail) {
-    for (unsigned k = 0; k + 1 < lane_width; ++k) numbers_[count_ + k] = nobody;
-    std::array<Lane, capacity / lane_width + 1> times;
-    Lane least = Lane{} + known.time;
-    decltype(least < least) overlap{};
-    for (unsigned k = 0; k < count_; k += lane_width) {
-      const auto disk = [&](unsigned place) -> const Disk& {
-        return disks[static_cast<std::uint32_t>(numbers_[k + place])];
-      };
-      const Disk &b0 = disk(0), &b1 = disk(1), &b2 = disk(2), &b3 = disk(3);
-      const FlightOf<Lane> b = abreast(b0.flight, b1.flight, b2.flight, b3.flight);
-      const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b, lane(shift_x_, k), lane(shift_y_, k));
-      const ContactOf<Lane> contact = contact_time.contact<a_is_latest>(e, a.time, b.time);
-      const Lane theirs{b0.contact, b1.contact, b2.contact, b3.contact};
-      const Lane time = (e.meet() & (contact.time <= theirs)) ? contact.time : Lane{} + never;
-      times[k / lane_width] = time;
-      least = time < least ? time : least;
-      overlap |= e.meet() & contact.overlap;
+  [[nodiscard]] unsigned count() const { return count_; }
+
+  /// After the last line: begins with the contact that the asking disk knows of. From count() up to the lane of place
+  /// `end` disks[nobody] is asked, who meets nobody, because its position is not a number.
+  void begin(double known_time, Index nobody, unsigned end) {
+    const Line nobodies = Line{} + nobody;
+    for (unsigned k = count_; k < end + lane_width - 1; k += line_size) {
+      std::memcpy(&numbers_[k], &nobodies, sizeof nobodies);
+      if constexpr (shifted) shift(k, 0, 0);
     }
-    if (bits(overlap) != 0) [[unlikely]]
-      fail();
-    const double time = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+    least_ = Lane{} + known_time;
+    overlap_ = Mask{};
+  }
+
+  /// Asks the disks in the lane from place k on when they touch disk `a`. One that has found an earlier contact for
+  /// itself is no partner: it will collide before.
+  template <bool a_is_latest>
+  void ask(unsigned k, const Flight& a, const Disk* disks, const ContactTime& contact_time) {
+    const auto disk = [&](unsigned place) -> const Disk& {
+      return disks[static_cast<std::uint32_t>(numbers_[k + place])];
+    };
+    const Abreast b = abreast(disk(0), disk(1), disk(2), disk(3));
+    const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b.flight, lane(shift_x_, k), lane(shift_y_, k));
+    const ContactOf<Lane> contact = contact_time.contact<a_is_latest>(e, a.time, b.flight.time);
+    const Lane time = (e.meet() & (contact.time <= b.contact)) ? contact.time : Lane{} + never;
+    times_[k / lane_width] = time;
+    least_ = time < least_ ? time : least_;
+    overlap_ |= e.meet() & contact.overlap;
+  }
+
+  /// Whether a disk overlaps the one that asks deeper than round-off explains.
+  [[nodiscard]] bool overlap() const { return bits(overlap_) != 0; }
+
+  /// The earliest of the contact that the disk knows of and those that were found; of equal times the one with the
+  /// lowest id.
+  [[nodiscard]] FoundContact earliest(FoundContact known, const Disk* disks) const {
+    const double time = std::min(std::min(least_[0], least_[1]), std::min(least_[2], least_[3]));
     if (time == never) return known;
     std::uint64_t equal = 0;
-    for (unsigned k = 0; k < count_; k += lane_width) equal |= std::uint64_t{bits(times[k / lane_width] == time)} << k;
+    for (unsigned k = 0; k < count_; k += lane_width) equal |= std::uint64_t{bits(times_[k / lane_width] == time)} << k;
     if (time < known.time) known.partner = -1;
     for (; equal != 0; equal &= equal - 1) {
       const Index j = numbers_[static_cast<unsigned>(std::countr_zero(equal))];
@@ -93,17 +103,31 @@ class Neighbourhood {
  private:
   static constexpr unsigned capacity = 9 * CellLine::room;
   static_assert(capacity < 64, "a word has a bit for each");
-  using Shifts = std::array<double, shifted ? capacity + lane_width : 1>;
+  using Mask = decltype(Lane{} < Lane{});
+  using Line = Index __attribute__((vector_size(sizeof(CellLine))));
+  static constexpr unsigned line_size = sizeof(Line) / sizeof(Index), room = capacity + lane_width + line_size;
+  using Shifts = std::array<double, shifted ? room : 1>;
 
+  /// Of a line from place k on.
+  void shift(unsigned k, double x, double y) {
+    const Lane four_x = Lane{} + x, four_y = Lane{} + y;
+    for (unsigned m = k; m < k + line_size; m += lane_width) {
+      std::memcpy(&shift_x_[m], &four_x, sizeof four_x);
+      std::memcpy(&shift_y_[m], &four_y, sizeof four_y);
+    }
+  }
   static Lane lane(const Shifts& shifts, unsigned k) {
-    Lane four = Lane{} - 0.0;  // adds nothing, not even an instruction
+    Lane four = -Lane{};  // adds nothing, not even an instruction
     if constexpr (shifted) std::memcpy(&four, &shifts[k], sizeof four);
     return four;
   }
 
   unsigned count_ = 0;
-  std::array<Index, capacity + lane_width + 2> numbers_;
+  std::array<Index, room> numbers_;
   Shifts shift_x_, shift_y_;
+  std::array<Lane, capacity / lane_width + 1> times_;
+  Lane least_;
+  Mask overlap_;
 };
 
 }  // namespace gpf

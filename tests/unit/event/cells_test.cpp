@@ -2,6 +2,7 @@
 #include "gpf/event/cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
@@ -39,7 +40,9 @@ struct Filled {
 
   FoundContact earliest(Index i, Block block, FoundContact known = {}) {
     const auto k = static_cast<std::size_t>(i);
-    return cells.earliest(places[k], disks[k].flight, known, block, disks.data(), scene.particles, contact_time, [] {});
+    std::array questions{Cells::Question{places[k], disks[k].flight, known}};
+    cells.answer<false>(questions, block, disks.data(), scene.particles, contact_time, [](std::size_t) {});
+    return questions[0].contact;
   }
 
   /// Whom disk i meets among a block of cells around it, and when: asks for the earliest until all are taken. None may
@@ -171,6 +174,34 @@ BOOST_AUTO_TEST_CASE(the_earliest_is_that_of_all_and_of_those_known_and_of_equal
   }
 }
 
+BOOST_AUTO_TEST_CASE(two_that_ask_together_find_what_each_finds_alone) {
+  // Some with neighbours round the box and some without, few and many disks in a cell, overflowing ones too; who
+  // overlaps is told by its place among those that ask.
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 5.0, 20.0}) {
+      Filled f(scene, per_cell);
+      const ContactTime strict(scene.diameter(), 1e-12);
+      for (Index i = 0; i + 1 < scene.particles; ++i) {
+        std::array<std::size_t, 2> alone{}, together{};
+        std::array<FoundContact, 2> found;
+        std::array<Cells::Question, 2> both;
+        for (std::size_t n = 0; n < 2; ++n) {
+          const std::size_t k = static_cast<std::size_t>(i) + n;
+          std::array one{Cells::Question{f.places[k], f.disks[k].flight, {}}};
+          both[n] = one[0];
+          f.cells.answer<false>(one, Block::all, f.disks.data(), scene.particles, strict,
+                                [&](std::size_t) { ++alone[n]; });
+          found[n] = one[0].contact;
+        }
+        f.cells.answer<false>(both, Block::all, f.disks.data(), scene.particles, strict,
+                              [&](std::size_t n) { ++together[n]; });
+        BOOST_REQUIRE((alone == together));
+        for (std::size_t n = 0; n < 2; ++n)
+          BOOST_REQUIRE((both[n].contact.partner == found[n].partner && both[n].contact.time == found[n].time));
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(overlap_beyond_round_off_is_reported) {
   Filled f(test::gas(400, 0.1), 1);
   const ContactTime strict(f.scene.diameter(), 1e-12);
@@ -181,8 +212,8 @@ BOOST_AUTO_TEST_CASE(overlap_beyond_round_off_is_reported) {
     for (const auto& [j, time] : f.met(i, Block::all)) deep |= time == 0;  // they touch at once: all overlap
     overlapping += deep;
     bool failed = false;
-    (void)f.cells.earliest(f.places[k], f.disks[k].flight, {}, Block::all, f.disks.data(), 400, strict,
-                           [&] { failed = true; });
+    std::array questions{Cells::Question{f.places[k], f.disks[k].flight, {}}};
+    f.cells.answer<false>(questions, Block::all, f.disks.data(), 400, strict, [&](std::size_t) { failed = true; });
     BOOST_REQUIRE(failed == deep);
     reported += failed;
   }
@@ -210,25 +241,58 @@ BOOST_AUTO_TEST_CASE(a_disk_leaves_its_cell_when_and_where_it_should) {
       const Flight a = f.flights[i];
       const Cells::Exit exit = f.cells.exit(f.places[i], a);
       BOOST_REQUIRE(exit.time >= 0);
-      // Just before, the disk is still in its cell; just after, it is beyond the side that was named.
-      const double before = exit.time * (1 - 1e-12), after = exit.time * (1 + 1e-12) + 1e-15;
-      const Place inside = f.cells.locate(a.x + a.vx * before, a.y + a.vy * before);
-      BOOST_TEST((inside.column == f.places[i].column && inside.row == f.places[i].row));
-      const Vec2 out{a.x + a.vx * after, a.y + a.vy * after};
+      const Vec2 out{a.x + a.vx * exit.time, a.y + a.vy * exit.time};
       if (exit.wall) {
         BOOST_TEST(f.channel);
         BOOST_TEST((exit.side == (a.vy < 0 ? Side::lower : Side::upper)));
-        BOOST_TEST(std::abs(a.y + a.vy * exit.time - (a.vy < 0 ? f.lower : 1 - f.lower)) < 1e-15);
+        BOOST_TEST(std::abs(out.y - (a.vy < 0 ? f.lower : 1 - f.lower)) < 1e-15);
         continue;
       }
-      const bool left_the_box = out.x < 0 || out.x >= f.length || (!f.channel && (out.y < 0 || out.y >= 1));
-      if (left_the_box) continue;
+      const Cells::Beyond beyond = f.cells.beyond(f.places[i], exit.side);
+      if (beyond.x != 0 || beyond.y != 0) {  // at the side of the box, no later
+        const double round = beyond.x != 0 ? out.x - (beyond.x > 0 ? f.length : 0) : out.y - (beyond.y > 0 ? 1 : 0);
+        BOOST_TEST(std::abs(round) < 1e-15 * (1 + f.length));
+        continue;
+      }
+      // It is well inside the next cell when it leaves; it may have been outside of the other two sides before.
       const Place next = f.cells.locate(out.x, out.y);
       const Index columns = next.column - f.places[i].column, rows = next.row - f.places[i].row;
-      BOOST_TEST(columns == (exit.side == Side::right) - (exit.side == Side::left));
-      BOOST_TEST(rows == (exit.side == Side::upper) - (exit.side == Side::lower));
+      const bool sideways = exit.side == Side::left || exit.side == Side::right;
+      BOOST_TEST((sideways ? columns : rows) == (exit.side == Side::right || exit.side == Side::upper ? 1 : -1));
+      BOOST_TEST(std::abs(sideways ? rows : columns) <= 1);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(disks_whose_cells_are_no_neighbours_do_not_touch_before_one_leaves) {
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 1.0, 5.0}) {
+      const Filled f(scene, per_cell);
+      std::size_t asked = 0;
+      double nearest = never;
+      for (std::size_t i = 0; i < f.flights.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const Flight &a = f.flights[i], &b = f.flights[j];
+          const auto reaches = [&] {
+            for (const auto& [x, y] :
+                 {std::pair{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}) {
+              Place place = f.places[i];
+              if (x != 0) place = f.cells.beyond(place, x < 0 ? Side::left : Side::right).place;
+              if (y != 0) place = f.cells.beyond(place, y < 0 ? Side::lower : Side::upper).place;
+              if (place.column == f.places[j].column && place.row == f.places[j].row) return true;
+            }
+            return false;
+          };
+          if (reaches()) continue;
+          ++asked;
+          const double t = std::min(f.cells.exit(f.places[i], a).time, f.cells.exit(f.places[j], b).time);
+          const double x = b.x + b.vx * t - a.x - a.vx * t, y = b.y + b.vy * t - a.y - a.vy * t;
+          nearest =
+              std::min(nearest, std::hypot(x - f.length * std::round(x / f.length), f.channel ? y : y - std::round(y)));
+        }
+      BOOST_TEST((asked == 0 || nearest >= scene.diameter()));
+      if (per_cell == 1.0 && f.cells.size() > 9) BOOST_TEST(asked > 0U);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_disk_at_rest_never_leaves) {

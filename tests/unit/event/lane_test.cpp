@@ -1,6 +1,7 @@
 // Lanes against doubles.
 #include "gpf/event/lane.hpp"
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdint>
@@ -66,13 +67,19 @@ BOOST_AUTO_TEST_CASE(later_and_square_root_are_those_of_each_double) {
   BOOST_TEST(later(2, 1) == 2);
 }
 
-BOOST_AUTO_TEST_CASE(abreast_puts_each_flight_in_its_place) {
-  const Flight one{1, 2, 3, 4, 5}, two{6, 7, 8, 9, 10}, three{11, 12, 13, 14, 15}, four{16, 17, 18, 19, 20};
-  const FlightOf<Lane> all = abreast(one, two, three, four);
-  unsigned k = 0;
-  for (const Flight& f : {one, two, three, four}) {
-    BOOST_TEST((all.x[k] == f.x && all.y[k] == f.y && all.vx[k] == f.vx && all.vy[k] == f.vy && all.time[k] == f.time));
-    ++k;
+BOOST_AUTO_TEST_CASE(abreast_puts_each_disk_in_its_place) {
+  std::array<Disk, 4> disks;
+  double number = 0;
+  for (Disk& d : disks) {
+    for (double* value : {&d.flight.x, &d.flight.y, &d.flight.vx, &d.flight.vy, &d.flight.time, &d.contact})
+      *value = ++number;
+    d.partner = d.id = 77;
+  }
+  const Abreast all = abreast(disks[0], disks[1], disks[2], disks[3]);
+  for (unsigned k = 0; k < 4; ++k) {
+    const Flight& f = disks[k].flight;
+    BOOST_TEST((all.flight.x[k] == f.x && all.flight.y[k] == f.y && all.flight.vx[k] == f.vx));
+    BOOST_TEST((all.flight.vy[k] == f.vy && all.flight.time[k] == f.time && all.contact[k] == disks[k].contact));
   }
 }
 
