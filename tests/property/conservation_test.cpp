@@ -25,7 +25,7 @@ double sum(const std::vector<Vec2>& values, double (*term)(Vec2)) {
 double energy(const State& s) {
   return sum(s.velocity, [](Vec2 v) { return dot(v, v) / 2; });
 }
-Vec2 momentum(const State& s) {
+Vec2 total_momentum(const State& s) {
   return {sum(s.velocity, [](Vec2 v) { return v.x; }), sum(s.velocity, [](Vec2 v) { return v.y; })};
 }
 
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_over_many_elastic_contacts) {
   advance_contacts(engine, GPF_LONG_RUN, nobody);
   const State end = engine.state();
   const double drift = std::abs(energy(end) / energy(start) - 1);
-  const Vec2 gained = momentum(end) - momentum(start);
+  const Vec2 gained = total_momentum(end) - total_momentum(start);
   BOOST_TEST_MESSAGE(engine.counts().pair_contacts << " contacts: energy drift " << drift << ", momentum drift "
                                                    << std::hypot(gained.x, gained.y) << ", deepest overlap "
                                                    << engine.deepest_overlap() / scene.diameter() << " d");
@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(inelastic_disks_keep_momentum_and_lose_what_the_rule_says) 
   BOOST_TEST(std::abs(energy(start) - energy(end) - books.pair_loss) < 10 * 2e-14 * energy(start));
   BOOST_TEST(std::abs(books.energy_from_velocities - books.pair_loss) < 10 * 2e-14 * energy(start));
   BOOST_TEST(books.pair_loss > 0.9 * energy(start));  // it has cooled
-  BOOST_TEST(std::abs(momentum(end).x - momentum(start).x) < 10 * 4e-14);
-  BOOST_TEST(std::abs(momentum(end).y - momentum(start).y) < 10 * 4e-14);
+  BOOST_TEST(std::abs(total_momentum(end).x - total_momentum(start).x) < 10 * 4e-14);
+  BOOST_TEST(std::abs(total_momentum(end).y - total_momentum(start).y) < 10 * 4e-14);
 }
 
 BOOST_AUTO_TEST_CASE(in_a_smooth_elastic_channel_energy_is_the_work_of_gravity) {
@@ -104,11 +104,11 @@ BOOST_AUTO_TEST_CASE(in_a_smooth_elastic_channel_energy_is_the_work_of_gravity) 
     engine.advance(time);
     const State now = engine.state();
     const double weight = 200 * scene.gravity;
-    const double work = scene.gravity * (momentum(start).x * time + weight * time * time / 2);
+    const double work = scene.gravity * (total_momentum(start).x * time + weight * time * time / 2);
     // Walls return u_x through the falling frame, which rounds it to 1.1e-16 of the frame's velocity g t, on each of n
     // wall contacts; energies of order N (g t)^2/2 then walk by (g t)^2 1.1e-16 sqrt(n), n some 10^4 at the end.
     BOOST_TEST(std::abs(energy(now) - energy(start) - work) < 1e-13 * (energy(start) + work));
-    BOOST_TEST(std::abs(momentum(now).x - momentum(start).x - weight * time) < 1e-13 * weight * (time + 1));
+    BOOST_TEST(std::abs(total_momentum(now).x - total_momentum(start).x - weight * time) < 1e-13 * weight * (time + 1));
     last = energy(now);
   }
   BOOST_TEST(last > 100 * energy(start));  // nothing holds it
@@ -130,13 +130,14 @@ BOOST_AUTO_TEST_CASE(in_a_rough_inelastic_channel_the_books_balance) {
     const State end = engine.state();
     const long double received_times_lapse = books.wall_momentum_x * time - books.wall_momentum_x_time;
     const long double work =
-        scene.gravity * (momentum(start).x * time + weight * time * time / 2 + received_times_lapse);
+        scene.gravity * (total_momentum(start).x * time + weight * time * time / 2 + received_times_lapse);
     const long double losses = books.pair_loss + books.wall_loss;
     // The frame's velocity, up to 8, is rounded to 9e-16 at each of some 50 epochs, for all disks alike: a walk of the
     // momentum by 200 x 9e-16 x 7 = 1e-12 and of the energy by 8 times that. A factor of 10.
     BOOST_TEST(engine.counts().pair_contacts > 30000u);
     BOOST_TEST(std::abs(energy(start) + work - energy(end) - losses) < 10 * 1e-11);
-    BOOST_TEST(std::abs(momentum(start).x + weight * time + books.wall_momentum_x - momentum(end).x) < 10 * 1e-12);
+    BOOST_TEST(std::abs(total_momentum(start).x + weight * time + books.wall_momentum_x - total_momentum(end).x) <
+               10 * 1e-12);
     BOOST_TEST(losses > 0.5 * work);
   }
 }

@@ -5,34 +5,16 @@
 #include <vector>
 
 namespace gpf {
-namespace {
-
-Vec2 momentum_of(const State& state) {
-  Vec2 sum;
-  for (const Vec2 v : state.velocity) sum = sum + v;
-  return sum;
-}
-
-double energy_of(const State& state) {
-  double sum = 0;
-  for (const Vec2 v : state.velocity) sum += 0.5 * dot(v, v);
-  return sum;
-}
-
-}  // namespace
-
 Balances balances_of(const Scene& scene, const Measurement& measurement, const State& start, const State& end) {
-  const BlockSeries& series = measurement.series();
-  std::vector<double> totals(series.tallies(), 0.0);
-  for (std::size_t k = 0; k < series.sums().size(); ++k) totals[k % totals.size()] += series.sums()[k];
+  const std::vector<double> totals = block_totals(measurement.series().sums(), measurement.series().tallies());
   const auto total = [&](Tally tally, int k = 0) { return totals[measurement.layout().at(tally, k)]; };
 
   Balances b;
   const double work = total(Tally::gravity_work);
   const double losses = total(Tally::pair_loss) + total(Tally::wall_loss, lower) + total(Tally::wall_loss, upper);
-  b.energy = (work - losses - total(Tally::energy_change)) / std::max(std::abs(work), energy_of(start));
+  b.energy = (work - losses - total(Tally::energy_change)) / std::max(std::abs(work), kinetic_energy(start));
 
-  const Vec2 gained = momentum_of(end) - momentum_of(start);
+  const Vec2 gained = momentum(end) - momentum(start);
   const double given = scene.particles * scene.gravity * total(Tally::measured_time);
   const double taken = total(Tally::wall_tangential, lower) + total(Tally::wall_tangential, upper);
   const double scale = scene.particles * scene.velocity_scale();

@@ -11,18 +11,6 @@
 namespace gpf {
 namespace {
 
-double kinetic_energy(const State& state) {
-  double sum = 0;
-  for (const Vec2 c : state.velocity) sum += 0.5 * dot(c, c);
-  return sum;
-}
-
-Vec2 momentum(const State& state) {
-  Vec2 sum;
-  for (const Vec2 c : state.velocity) sum = sum + c;
-  return sum;
-}
-
 /// start_state scales the velocities to this, to round-off, and takes their mean off.
 double start_energy(const Scene& scene) { return scene.particles * square(scene.velocity_scale()); }
 double momentum_scale(const Scene& scene) { return scene.particles * scene.velocity_scale(); }

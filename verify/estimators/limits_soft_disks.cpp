@@ -33,10 +33,8 @@ double compressibility(double virial_rate, double kinetic_energy) { return 1 + v
 double hard_compressibility(const Scene& scene, const State& start, double time) {
   Engine<> engine(scene, start);
   Virial virial;
-  while (engine.time() < time) engine.advance(std::min(time, engine.epoch_end()), virial);
-  double energy = 0;
-  for (const Vec2 v : start.velocity) energy += dot(v, v) / 2;
-  return compressibility(virial.sum / time, energy);
+  engine.advance(time, virial);
+  return compressibility(virial.sum / time, kinetic_energy(start));
 }
 
 struct SoftGas {
@@ -68,15 +66,9 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y, cons
 
 /// ln(E_0/E) of a gas that cools for a time, by the engine.
 double hard_cooling(const Scene& scene, const State& start, double time) {
-  const auto energy = [](const State& state) {
-    double sum = 0;
-    for (const Vec2 v : state.velocity) sum += dot(v, v) / 2;
-    return sum;
-  };
   Engine<> engine(scene, start);
-  Virial unused;
-  while (engine.time() < time) engine.advance(std::min(time, engine.epoch_end()), unused);
-  return std::log(energy(start) / energy(engine.state()));
+  engine.advance(time);
+  return std::log(kinetic_energy(start) / kinetic_energy(engine.state()));
 }
 
 /// The slope of ln y over ln x of the means over the replicas, each with the weight (mean/error)^2 that its logarithm
@@ -183,8 +175,7 @@ Evidence estimate_limits_soft_dissipation(const Claim& claim, Tier, const SceneR
       hard[r] += hard_cooling(cooling, state, time);
       for (std::size_t c = 0; c < contacts.size(); ++c)
         soft[c] -= std::log1p(soft_gas(cooling, state, contacts[c] * mean_free_time, fine_steps, time).energy_gain);
-      Virial unused;
-      while (elastic.time() < start * time) elastic.advance(std::min(start * time, elastic.epoch_end()), unused);
+      elastic.advance(start * time);
     }
     for (std::size_t c = 0; c < contacts.size(); ++c) deficit[c][r] = 1 - soft[c] / hard[r];
   });

@@ -60,9 +60,7 @@ Flow flow_of(const Scene& scene, double start_up, double duration) {
   } catch (const PhysicsError&) {
     return {NAN, NAN, NAN, NAN, NAN, at_once.count()};
   }
-  const BlockSeries& series = measurement.series();
-  std::vector<double> totals(series.tallies(), 0.0);
-  for (std::size_t k = 0; k < series.sums().size(); ++k) totals[k % totals.size()] += series.sums()[k];
+  const auto totals = block_totals(measurement.series().sums(), measurement.series().tallies());
   Flow flow{.at_once = at_once.count()};
   for (const Quantity& q : derive_quantities(scene, measurement.layout(), totals)) {
     if (q.name == "centre_velocity") flow.velocity = q.values[0];

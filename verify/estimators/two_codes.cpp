@@ -59,9 +59,7 @@ Fields oracle_fields(const Record& record, double window) {
     oracle.advance(k * run.sample_interval);
     measurement.sample(k * run.sample_interval, oracle.state());
   }
-  const BlockSeries& series = measurement.series();
-  std::vector<double> totals(series.tallies(), 0.0);
-  for (std::size_t k = 0; k < series.sums().size(); ++k) totals[k % totals.size()] += series.sums()[k];
+  const auto totals = block_totals(measurement.series().sums(), measurement.series().tallies());
   Fields fields;
   for (const Quantity& q : derive_quantities(record.scene, measurement.layout(), totals)) {
     if (q.name == "mean_velocity") fields.velocity = q.values;

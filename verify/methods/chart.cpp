@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "gpf/base/error.hpp"
+#include "gpf/measure/block_series.hpp"
 #include "gpf/scene/toml_reader.hpp"
 #include "verify/planner.hpp"
 #include "verify/run_pool.hpp"
@@ -30,9 +31,7 @@ struct Reference {
 
 std::vector<Quantity> quantities_in(const Record& record) {
   const TallyLayout layout(record.run);
-  std::vector<double> totals(layout.size(), 0.0);
-  for (std::size_t k = 0; k < record.sums.size(); ++k) totals[k % totals.size()] += record.sums[k];
-  return derive_quantities(record.scene, layout, totals);
+  return derive_quantities(record.scene, layout, block_totals(record.sums, layout.size()));
 }
 
 std::map<std::string, Reference> references(const ChartPlan& plan, const std::filesystem::path& folder,

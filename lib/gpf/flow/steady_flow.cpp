@@ -50,9 +50,7 @@ std::vector<Quantity> measured(const Scene& scene, const Run& run, Measurement& 
     advance(time);
     measurement.sample(time, state());
   }
-  std::vector<double> totals(measurement.layout().size(), 0.0);
-  const auto sums = measurement.series().sums();
-  for (std::size_t k = 0; k < sums.size(); ++k) totals[k % totals.size()] += sums[k];
+  const auto totals = block_totals(measurement.series().sums(), measurement.layout().size());
   std::vector<Quantity> kept;
   for (Quantity& q : derive_quantities(scene, measurement.layout(), totals))
     if (std::find(common.begin(), common.end(), q.name) != common.end()) kept.push_back(std::move(q));
@@ -62,10 +60,9 @@ std::vector<Quantity> measured(const Scene& scene, const Run& run, Measurement& 
 std::vector<Quantity> event_driven(const Scene& scene, const Run& run, const State& start) {
   Engine<> engine(scene, start);
   Measurement measurement(scene, run.bins);
-  const auto advance = [&](double until) {
-    while (engine.time() < until) engine.advance(std::min(until, engine.epoch_end()), measurement);
-  };
-  return measured(scene, run, measurement, advance, [&] { return engine.state(); });
+  return measured(
+      scene, run, measurement, [&](double until) { engine.advance(until, measurement); },
+      [&] { return engine.state(); });
 }
 
 /// All-pairs and soft disks.

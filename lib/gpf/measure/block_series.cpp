@@ -20,6 +20,12 @@ void BlockSeries::add(std::span<const double> row) {
   per_block_ *= 2;
 }
 
+std::vector<double> block_totals(std::span<const double> sums, std::size_t tallies) {
+  std::vector<double> totals(tallies, 0.0);
+  for (std::size_t k = 0; k < sums.size(); ++k) totals[k % tallies] += sums[k];
+  return totals;
+}
+
 void BlockSeries::restore(const Memory& memory) {
   if (memory.open.size() != tallies_ || memory.sums.size() % tallies_ != 0 || memory.per_block == 0)
     throw InputError("a checkpoint's sums do not fit this run", "it was written for other bins or another version",

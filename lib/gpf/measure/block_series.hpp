@@ -38,4 +38,7 @@ class BlockSeries {
   std::vector<double> sums_, open_;
 };
 
+/// The sum over all blocks of each tally. `sums` are blocks x tallies, row-major.
+std::vector<double> block_totals(std::span<const double> sums, std::size_t tallies);
+
 }  // namespace gpf

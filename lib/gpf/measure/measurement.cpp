@@ -24,27 +24,11 @@ Measurement::Measurement(const Scene& scene, int bins, Detail detail, int densit
   if (detail == Detail::correlations) correlations_.emplace(scene, bins);
 }
 
-namespace {
-
-double total_momentum(const State& state) {
-  double sum = 0;
-  for (const Vec2 c : state.velocity) sum += c.x;
-  return sum;
-}
-
-double total_energy(const State& state) {
-  double sum = 0;
-  for (const Vec2 c : state.velocity) sum += 0.5 * dot(c, c);
-  return sum;
-}
-
-}  // namespace
-
 void Measurement::begin(double time, const State& state) {
   begun_ = true;
   last_time_ = momentum_time_ = time;
-  momentum_ = total_momentum(state);
-  energy_ = total_energy(state);
+  momentum_ = momentum(state).x;
+  energy_ = kinetic_energy(state);
   std::fill(open_.begin(), open_.end(), 0.0);
   for (std::size_t i = 0; i < travels_.size(); ++i) travels_[i] = {time, state.velocity[i], {}, 0};
   if (distributions_) distributions_->begin(state);
@@ -172,8 +156,8 @@ void Measurement::add_density_modes(const State& state) {
 
 void Measurement::sample(double time, const State& state) {
   gravity_until(time);
-  const double energy = total_energy(state);
-  momentum_ = total_momentum(state);
+  const double energy = kinetic_energy(state);
+  momentum_ = momentum(state).x;
   sum(Tally::measured_time) += time - last_time_;
   sum(Tally::samples) += 1;
   sum(Tally::energy) += energy;

@@ -12,6 +12,18 @@ struct State {
   std::vector<Vec2> position, velocity;
 };
 
+/// Of all disks, of unit mass.
+inline Vec2 momentum(const State& state) {
+  Vec2 sum;
+  for (const Vec2 c : state.velocity) sum = sum + c;
+  return sum;
+}
+inline double kinetic_energy(const State& state) {
+  double sum = 0;
+  for (const Vec2 c : state.velocity) sum += 0.5 * dot(c, c);
+  return sum;
+}
+
 /// What a run keeps of itself on the way.
 struct Snapshot {
   double time;

@@ -39,12 +39,6 @@ Scene channel(std::int32_t particles) {
   return s;
 }
 
-Vec2 momentum(const State& state) {
-  Vec2 sum;
-  for (const Vec2 u : state.velocity) sum = sum + u;
-  return sum;
-}
-
 double distance(const State& p, const State& q) {
   double largest = 0;
   for (std::size_t i = 0; i < p.position.size(); ++i) {
