@@ -1,6 +1,7 @@
 #include "verify/plot_files.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <limits>
 
 #include "verify/csv.hpp"
@@ -28,6 +29,18 @@ BOOST_AUTO_TEST_CASE(every_number_of_every_series_is_there) {
 BOOST_AUTO_TEST_CASE(the_numbers_stand_beside_the_picture) {
   BOOST_TEST(gpf::data_file_of("claims/a.b.svg") == "claims/a.b.csv");
   BOOST_TEST(gpf::plot_markdown("a", "x.svg") == "![a](x.svg)\n\n[Data of this plot](x.csv)\n");
+}
+
+BOOST_AUTO_TEST_CASE(beside_every_plot_of_the_committed_reports_lie_its_numbers) {
+  std::size_t plots = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(GPF_REPORTS)) {
+    const std::filesystem::path& file = entry.path();
+    // Drawings - states of disks, density fields - are called <claim>+<number>.
+    if (file.extension() != ".svg" || file.stem().string().find('+') != std::string::npos) continue;
+    BOOST_TEST(std::filesystem::exists(gpf::data_file_of(file.string())), "no numbers of " << file);
+    ++plots;
+  }
+  BOOST_TEST(plots > 200U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
