@@ -12,6 +12,7 @@
 #include "gpf/io/atomic_file.hpp"
 #include "gpf/io/record.hpp"
 #include "verify/command_text.hpp"
+#include "verify/run_pool.hpp"
 
 namespace gpf {
 Manifest plan(const Campaign& campaign, const std::vector<int>& replicas, const Manifest& before) {
@@ -86,7 +87,7 @@ void write_manifest(const Manifest& manifest, const CampaignFolder& folder) {
 std::vector<ManifestEntry> missing(const Manifest& manifest, const RecordStore& store) {
   std::vector<ManifestEntry> entries;
   for (const ManifestEntry& entry : manifest)
-    if (entry.wanted && !store.load(job_of(entry).file)) entries.push_back(entry);
+    if (entry.wanted && !is_done(store, job_of(entry).file)) entries.push_back(entry);
   return entries;
 }
 

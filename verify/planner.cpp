@@ -41,7 +41,7 @@ std::vector<RunJob> missing_runs(const Demand& demand, SceneLibrary& scenes, con
     for (const NamedScene& scene : scenes.of(name))
       for (int replica = 0; replica < replicas; ++replica) {
         RunJob job{replica_of(scene, replica, release_seed), fmt::format("{} #{}", scene.name, replica + 1)};
-        if (planned.insert(store.path(job.file)).second && !store.load(job.file)) jobs.push_back(std::move(job));
+        if (planned.insert(store.path(job.file)).second && !is_done(store, job.file)) jobs.push_back(std::move(job));
       }
   std::stable_sort(jobs.begin(), jobs.end(), [](const RunJob& a, const RunJob& b) {
     return expected_collisions(a.file) > expected_collisions(b.file);

@@ -36,10 +36,13 @@ std::optional<Record> simulate_or_resume(const SceneFile& file, const RunFunctio
   }
 }
 
-/// A worker killed while it wrote a checkpoint leaves a .part of it as well.
+std::filesystem::path checkpoint_of(const std::filesystem::path& record) { return record.string() + ".checkpoint"; }
+
+/// A worker killed while it wrote a checkpoint leaves a .part of it as well. In a folder that is read only it stays.
 void remove_checkpoint(const std::filesystem::path& checkpoint) {
-  std::filesystem::remove(checkpoint);
-  std::filesystem::remove(checkpoint.string() + ".part");
+  std::error_code kept;
+  std::filesystem::remove(checkpoint, kept);
+  std::filesystem::remove(checkpoint.string() + ".part", kept);
 }
 
 ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions& options, int report) {
@@ -49,13 +52,12 @@ ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions
     tell(report, "stopped");
     return ExitStatus::interrupted;
   }
-  SimulationOptions simulation;
-  simulation.checkpoint = place.string() + ".checkpoint";
-  if (store.load(job.file)) {
-    remove_checkpoint(*simulation.checkpoint);  // of a process that ended between its last two steps
+  if (is_done(store, job.file)) {
     tell(report, "found");
     return ExitStatus::success;
   }
+  SimulationOptions simulation;
+  simulation.checkpoint = checkpoint_of(place);
   simulation.checkpoint_period = options.checkpoint_period;
   simulation.resume = true;
   simulation.stop = options.stop;
@@ -73,6 +75,12 @@ ExitStatus do_job(const RecordStore& store, const RunJob& job, const PoolOptions
 }
 
 }  // namespace
+
+bool is_done(const RecordStore& store, const SceneFile& file) {
+  if (!store.load(file)) return false;
+  remove_checkpoint(checkpoint_of(store.path(file)));
+  return true;
+}
 
 void work(const RecordStore& store, const RunJob& job, const PoolOptions& options, int report) {
   ExitStatus status = ExitStatus::physics;

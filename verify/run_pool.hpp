@@ -51,6 +51,10 @@ struct PoolResult {
 /// started.
 PoolResult run_pool(const RecordStore& store, const std::vector<RunJob>& jobs, const PoolOptions& options);
 
+/// Whether the record of a run is there. Then its checkpoint, which a worker that was killed between its last two steps
+/// has left, is removed.
+bool is_done(const RecordStore& store, const SceneFile& file);
+
 /// Rough number of collisions of a run, by Enskog's rate at the start's temperature: for ordering runs.
 double expected_collisions(const SceneFile& file);
 

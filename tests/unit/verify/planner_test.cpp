@@ -60,6 +60,21 @@ BOOST_AUTO_TEST_CASE(what_the_store_holds_is_not_run_again) {
   BOOST_TEST(missing({{"short", 4}}, 17).size() == 4U);  // another release has its own runs
 }
 
+BOOST_AUTO_TEST_CASE(a_checkpoint_whose_record_is_there_is_removed) {
+  // A worker may be killed after it has renamed its record into place.
+  const SceneFile done = replica_of(scenes.of("short").front().file, 0, 0), open = replica_of(done, 1, 0);
+  store.save(done, test::fake_record(done));
+  const auto left = [&](const SceneFile& file, const char* end) { return store.path(file).string() + end; };
+  for (const SceneFile& file : {done, open})
+    for (const char* end : {".checkpoint", ".checkpoint.part"}) std::ofstream(left(file, end)) << "half way";
+  BOOST_TEST(is_done(store, done));
+  BOOST_TEST(!is_done(store, open));
+  for (const char* end : {".checkpoint", ".checkpoint.part"}) {
+    BOOST_TEST(!std::filesystem::exists(left(done, end)));
+    BOOST_TEST(std::filesystem::exists(left(open, end)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_damaged_record_is_run_again) {
   const SceneFile file = replica_of(scenes.of("short").front().file, 0, 0);
   store.save(file, test::fake_record(file));
