@@ -230,7 +230,7 @@ void write_chart_page(const ChartPlan& plan, const std::vector<ChartPoint>& poin
       "time\n"
       "steps, Enskog's equation by Monte Carlo and channel hydrodynamics. Cost: CPU seconds of one run from the "
       "lattice,\n"
-      "start-up included, on the machine that made this page. Error: against {} long runs of the engine, as root mean\n"
+      "start-up included, on the machine of `gpf chart`. Error: against {} long runs of the engine, as root mean\n"
       "square over the bins, relative to that of the reference (normal stress difference: absolute), split into bias\n"
       "(of the mean over {} runs; with the standard error to which it is resolved) and noise (standard deviation of a\n"
       "single run). Plots show bias, its resolution and noise together. Measured by `gpf chart`; all points are in\n"
