@@ -204,7 +204,7 @@ class Cells {
     for (std::size_t n = 0; n < count; ++n) {
       if (near[n].overlap()) [[unlikely]]
         fail(n);
-      questions[n].contact = near[n].earliest(questions[n].contact, disks);
+      near[n].choose(questions[n].contact, disks);
     }
     if (continued == 0) [[likely]]
       return;
@@ -217,10 +217,11 @@ class Cells {
   std::uint32_t gather(const Place& place, Block block, Neighbourhood<shifted>& neighbours) const {
     const NearCells& near = near_(place.column, place.row, block);
     const CellLine* const home = &lines_[number(place)];
+    neighbours.surround(near);
     std::uint32_t continued = 0;
     const auto cell = [&](std::size_t k) {
       const CellLine& line = home[near.cells[k].offset];
-      neighbours.gather(line, near.cells[k].shift_x, near.cells[k].shift_y);
+      neighbours.gather(line, k);
       continued |= line.next;
     };
     if (near.count == 9)
@@ -243,13 +244,14 @@ class Cells {
     for (std::size_t cell = 0; cell < near.count; ++cell)
       for (std::uint32_t more = home[near.cells[cell].offset].next; more != 0; more = lines_[more].next) {
         Neighbourhood<true> rest;
-        rest.gather(lines_[more], near.cells[cell].shift_x, near.cells[cell].shift_y);
+        rest.surround(near);
+        rest.gather(lines_[more], cell);
         rest.begin(question.contact.time, nobody, rest.count());
         for (unsigned k = 0; k < rest.count(); k += lane_width)
           rest.ask<asker_is_latest>(k, question.flight, disks, contact_time);
         if (rest.overlap()) [[unlikely]]
           fail();
-        question.contact = rest.earliest(question.contact, disks);
+        rest.choose(question.contact, disks);
       }
   }
 

@@ -102,14 +102,13 @@ class Engine {
   void run_until(double until, Observer& observer);
   template <class Observer>
   void collide(Index i, Index j, double t, Observer& observer);
+  // Three that stay out of the loop, which has no registers to spare for them.
   template <class Observer>
-  void bounce(Index i, double t, Observer& observer);
-  void cross(Index i);
-  void enter(Index i);
+  [[gnu::noinline]] void bounce(Index i, double t, Observer& observer);
+  [[gnu::noinline]] void cross(Index i);
+  [[gnu::noinline]] void enter(Index i);
   [[nodiscard]] std::uint64_t rank(Index i) const;
-  template <bool are_latest, class... Indices>  // whether the disks have just begun their flights: none is later
-  void predict(Indices... askers);
-  template <bool are_latest, std::size_t count>
+  template <bool are_latest, std::size_t count>  // whether the askers have just begun their flights: none is later
   void look(const std::array<Index, count>& askers, Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
   void foresee();
@@ -160,7 +159,8 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
         cross(i);
     } else if (is_stale(mine)) {
       ++counts_.stale;
-      predict<false>(i);
+      disk(i).forget();
+      look<false>(std::array{i}, Block::all);
     } else {
       collide(i, mine.partner, now_, observer);
     }
@@ -195,7 +195,7 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
   const PairOutcome outcome = physics_.pair(r_12, {a.vx - b.vx, a.vy - b.vy}, quiet);
   a.vx -= outcome.impulse.x, a.vy -= outcome.impulse.y;
   b.vx += outcome.impulse.x, b.vy += outcome.impulse.y;
-  mine.flight = a, other.flight = b;
+  mine.begin(a), other.begin(b);
   ++mine.events, ++other.events;
   plan(i).last_contact = plan(j).last_contact = t;
   trace_.add(epoch_, t, mine.id, other.id);
@@ -211,7 +211,7 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
                                {b.vx + frame, b.vy},
                                outcome.impulse,
                                outcome.energy_loss});
-  predict<true>(i, j);
+  look<true>(std::array{i, j}, Block::all);
 }
 
 template <class Queue, class Physics>
@@ -225,13 +225,13 @@ void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
   const Vec2 before{a.vx + frame, a.vy};
   const Vec2 after = physics_.wall(before, wall, t - plan(i).last_contact);
   a.vx = after.x - frame, a.vy = after.y;
-  mine.flight = a;
+  mine.begin(a);
   ++mine.events;
   plan(i).last_contact = t;
   trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
   ++counts_.wall_contacts;
   observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
-  predict<true>(i);
+  look<true>(std::array{i}, Block::all);
 }
 
 /// Moves the disk into the next cell and looks at the cells that came into reach - or, when the contact that it knew of
@@ -242,8 +242,9 @@ void Engine<Queue, Physics>::cross(Index i) {
   Disk& mine = disk(i);
   const Side side = plan(i).side;
   if (cells_.cross(plan(i).place, i, side, mine.flight)) return enter(i);
-  if (mine.partner >= 0 && is_stale(mine)) return predict<false>(i);
-  look<false>(std::array{i}, ahead(side));
+  const bool stale = mine.partner >= 0 && is_stale(mine);
+  if (stale) mine.forget();
+  look<false>(std::array{i}, stale ? Block::all : ahead(side));
 }
 
 /// A disk that goes round the box begins a new flight where it enters, because coordinates far outside would not be
@@ -251,22 +252,16 @@ void Engine<Queue, Physics>::cross(Index i) {
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::enter(Index i) {
   const Side side = plan(i).side;
-  Flight& f = disk(i).flight;
+  Disk& mine = disk(i);
+  const Flight& f = mine.flight;
   const double x = side == Side::left ? length_ : 0, y = side == Side::lower ? 1 : 0;
   const bool sideways = side == Side::left || side == Side::right;
-  f = flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy));
-  ++disk(i).events;
-  predict<false>(i);
+  mine.begin(flown(f, f.time + (sideways ? (x - f.x) / f.vx : (y - f.y) / f.vy)));
+  ++mine.events;
+  look<false>(std::array{i}, Block::all);
 }
 
 // ---- prediction ----
-
-template <class Queue, class Physics>
-template <bool are_latest, class... Indices>
-void Engine<Queue, Physics>::predict(Indices... askers) {
-  for (const Index i : {askers...}) disk(i).contact = never, disk(i).partner = -1;
-  look<are_latest>(std::array{askers...}, Block::all);
-}
 
 /// Schedules for each the earliest of the contact known, the contacts with disks of the block of cells (equal times:
 /// the lower number first) and the exit from the cell. Those that look together do not see what the others find.
@@ -277,22 +272,22 @@ void Engine<Queue, Physics>::look(const std::array<Index, count>& askers, Block 
   std::array<Cells::Question, count> questions;
   for (std::size_t k = 0; k < count; ++k) {
     const Disk& mine = disk(askers[k]);
-    questions[k] = {plan(askers[k]).place, mine.flight, {mine.contact, mine.partner}};
+    Plan& plan = this->plan(askers[k]);
+    questions[k] = {plan.place, mine.flight, {mine.contact, mine.partner}};
+    const auto exit = cells_.exit(plan.place, mine.flight);
+    plan.exit = exit.time;
+    plan.side = exit.side;
+    plan.wall = exit.wall;
   }
   cells_.template answer<are_latest>(questions, block, disks_.data(), nobody, contact_time_,
                                      [&](std::size_t k) { fail_overlap(askers[k]); });
   for (std::size_t k = 0; k < count; ++k) {
     const FoundContact& found = questions[k].contact;
     Disk& mine = disk(askers[k]);
-    Plan& plan = this->plan(askers[k]);
     mine.contact = found.time;
     mine.partner = found.partner;
     if (found.partner >= 0) mine.partner_events = disk(found.partner).events;
-    const auto exit = cells_.exit(plan.place, questions[k].flight);
-    plan.exit = exit.time;
-    plan.side = exit.side;
-    plan.wall = exit.wall;
-    queue_.schedule(askers[k], std::min(exit.time, found.time));
+    queue_.schedule(askers[k], std::min(plan(askers[k]).exit, found.time));
   }
 }
 

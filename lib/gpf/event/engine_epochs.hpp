@@ -63,7 +63,7 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   events_before_ = counts_.examined();
   settle(flights);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
-  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) predict<true>(i);
+  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) look<true>(std::array{i}, Block::all);
 }
 
 /// Puts the disks into their cells, and neighbours beside each other in memory: disks are renumbered along the cells.
@@ -83,7 +83,7 @@ void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
   for (std::size_t k = 0; k < plans_.size(); ++k) {
     const std::size_t i = first[cells_.number(plans_[k].place)]++;
     plans[i] = plans_[k];
-    disks[i].flight = flights[k];
+    disks[i].begin(flights[k]);
     disks[i].id = disks_[k].id;
     cells_.insert(plans[i].place, static_cast<Index>(i));
   }

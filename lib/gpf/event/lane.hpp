@@ -49,21 +49,28 @@ struct Abreast {
   Lane contact;
 };
 
+/// Two doubles that lie side by side at each of two places.
+inline Lane pairs(const void* first, const void* second) {
+  using Pair = double __attribute__((vector_size(16)));
+  Pair low, high;
+  std::memcpy(&low, first, sizeof low);
+  std::memcpy(&high, second, sizeof high);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+/// Of such pairs of a and c, b and d: the first numbers of a, b, c, d, and the second.
+inline Lane firsts(Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 0, 4, 2, 6); }
+inline Lane seconds(Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 1, 5, 3, 7); }
+
 /// Numbers are read in pairs, as they lie in memory.
 inline Abreast abreast(const Disk& a, const Disk& b, const Disk& c, const Disk& d) {
-  static_assert(offsetof(Disk, flight) == 0 && offsetof(Disk, contact) == sizeof(Flight));
-  using Pair = double __attribute__((vector_size(16)));
-  const auto pairs = [](const Disk& first, const Disk& second, std::size_t k) {
-    Pair low, high;
-    std::memcpy(&low, reinterpret_cast<const std::byte*>(&first) + k * sizeof low, sizeof low);
-    std::memcpy(&high, reinterpret_cast<const std::byte*>(&second) + k * sizeof high, sizeof high);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+  const auto of = [](const Disk& first, const Disk& second, std::size_t number) {
+    return pairs(reinterpret_cast<const std::byte*>(&first) + number * sizeof(double),
+                 reinterpret_cast<const std::byte*>(&second) + number * sizeof(double));
   };
-  const auto even = [](Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 0, 4, 2, 6); };
-  const auto odd = [](Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 1, 5, 3, 7); };
-  const Lane r_ac = pairs(a, c, 0), r_bd = pairs(b, d, 0), v_ac = pairs(a, c, 1), v_bd = pairs(b, d, 1);
-  const Lane t_ac = pairs(a, c, 2), t_bd = pairs(b, d, 2);
-  return {{even(r_ac, r_bd), odd(r_ac, r_bd), even(v_ac, v_bd), odd(v_ac, v_bd), even(t_ac, t_bd)}, odd(t_ac, t_bd)};
+  const Lane r_ac = of(a, c, 0), r_bd = of(b, d, 0), v_ac = of(a, c, 2), v_bd = of(b, d, 2);
+  const Lane t_ac = of(a, c, 4), t_bd = of(b, d, 4);
+  return {{firsts(r_ac, r_bd), seconds(r_ac, r_bd), firsts(v_ac, v_bd), seconds(v_ac, v_bd), firsts(t_ac, t_bd)},
+          seconds(t_ac, t_bd)};
 }
 
 }  // namespace gpf

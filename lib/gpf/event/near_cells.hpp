@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "gpf/base/vec2.hpp"
 #include "gpf/event/disk.hpp"
 
 namespace gpf {
@@ -19,7 +20,7 @@ inline constexpr std::size_t block_count = 5;
 struct NearCells {
   struct Cell {
     std::ptrdiff_t offset;
-    double shift_x, shift_y;
+    Vec2 shift;
   };
   std::size_t count = 0;
   bool shifted = false;  ///< some of them lie round a period
@@ -59,8 +60,8 @@ class NearCellsOfGrid {
         const int over_x = beyond(column + x, last_column_), over_y = beyond(row + y, last_row_);
         if ((over_x != 0 && period_x == 0) || (over_y != 0 && period_y == 0)) continue;
         const std::ptrdiff_t columns = last_column_ + 1, rows = last_row_ + 1;
-        near.cells[near.count++] = {(y - over_y * rows) * columns + x - over_x * columns, over_x * period_x,
-                                    over_y * period_y};
+        near.cells[near.count++] = {(y - over_y * rows) * columns + x - over_x * columns,
+                                    {over_x * period_x, over_y * period_y}};
         near.shifted |= over_x != 0 || over_y != 0;
       }
     return near;

@@ -11,6 +11,7 @@
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
 #include "gpf/event/lane.hpp"
+#include "gpf/event/near_cells.hpp"
 
 namespace gpf {
 
@@ -42,13 +43,19 @@ struct FoundContact {
 template <bool shifted>
 class Neighbourhood {
  public:
-  /// Room for nine lines. They are copied whole, though only their first disks count: that costs less than a branch on
-  /// their number.
-  void gather(const CellLine& line, double shift_x, double shift_y) {
+  /// First: the cells to whose lines gather() refers.
+  void surround(const NearCells& near) { near_ = &near; }
+
+  /// A line of the cell of that number. Room for nine; they are copied whole, though only their first disks count: that
+  /// costs less than a branch on their number.
+  void gather(const CellLine& line, std::size_t cell) {
     Line copy;
     std::memcpy(&copy, &line, sizeof copy);
     std::memcpy(&numbers_[count_], &copy, sizeof copy);
-    if constexpr (shifted) shift(count_, shift_x, shift_y);
+    if constexpr (shifted) {
+      const std::uint64_t all_of_it = 0x0101010101010101 * cell;
+      std::memcpy(&cells_[count_], &all_of_it, sizeof all_of_it);
+    }
     count_ += line.count;
   }
 
@@ -60,7 +67,7 @@ class Neighbourhood {
     const Line nobodies = Line{} + nobody;
     for (unsigned k = count_; k < end + lane_width - 1; k += line_size) {
       std::memcpy(&numbers_[k], &nobodies, sizeof nobodies);
-      if constexpr (shifted) shift(k, 0, 0);
+      if constexpr (shifted) std::memset(&cells_[k], 0, line_size);
     }
     least_ = Lane{} + known_time;
     overlap_ = Mask{};
@@ -74,7 +81,8 @@ class Neighbourhood {
       return disks[static_cast<std::uint32_t>(numbers_[k + place])];
     };
     const Abreast b = abreast(disk(0), disk(1), disk(2), disk(3));
-    const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b.flight, lane(shift_x_, k), lane(shift_y_, k));
+    const auto [shift_x, shift_y] = shifts(k);
+    const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b.flight, shift_x, shift_y);
     const ContactOf<Lane> contact = contact_time.contact<a_is_latest>(e, a.time, b.flight.time);
     const Lane time = (e.meet() & (contact.time <= b.contact)) ? contact.time : Lane{} + never;
     times_[k / lane_width] = time;
@@ -85,19 +93,19 @@ class Neighbourhood {
   /// Whether a disk overlaps the one that asks deeper than round-off explains.
   [[nodiscard]] bool overlap() const { return bits(overlap_) != 0; }
 
-  /// The earliest of the contact that the disk knows of and those that were found; of equal times the one with the
-  /// lowest id.
-  [[nodiscard]] FoundContact earliest(FoundContact known, const Disk* disks) const {
+  /// Makes of the contact that the disk knows of the earliest of it and those that were found; of equal times the one
+  /// with the lowest id.
+  void choose(FoundContact& known, const Disk* disks) const {
     const double time = std::min(std::min(least_[0], least_[1]), std::min(least_[2], least_[3]));
-    if (time == never) return known;
+    if (time == never) return;
     std::uint64_t equal = 0;
     for (unsigned k = 0; k < count_; k += lane_width) equal |= std::uint64_t{bits(times_[k / lane_width] == time)} << k;
-    if (time < known.time) known.partner = -1;
+    Index partner = time < known.time ? -1 : known.partner;
     for (; equal != 0; equal &= equal - 1) {
       const Index j = numbers_[static_cast<unsigned>(std::countr_zero(equal))];
-      if (known.partner < 0 || disks[j].id < disks[known.partner].id) known.partner = j;
+      if (partner < 0 || disks[j].id < disks[partner].id) partner = j;
     }
-    return {time, known.partner};
+    known = {time, partner};
   }
 
  private:
@@ -106,25 +114,23 @@ class Neighbourhood {
   using Mask = decltype(Lane{} < Lane{});
   using Line = Index __attribute__((vector_size(sizeof(CellLine))));
   static constexpr unsigned line_size = sizeof(Line) / sizeof(Index), room = capacity + lane_width + line_size;
-  using Shifts = std::array<double, shifted ? room : 1>;
 
-  /// Of a line from place k on.
-  void shift(unsigned k, double x, double y) {
-    const Lane four_x = Lane{} + x, four_y = Lane{} + y;
-    for (unsigned m = k; m < k + line_size; m += lane_width) {
-      std::memcpy(&shift_x_[m], &four_x, sizeof four_x);
-      std::memcpy(&shift_y_[m], &four_y, sizeof four_y);
+  /// Of the disks in the lane from place k on, along x and y. One by one from what gather() has written: its pieces
+  /// overlap, and a processor waits when it is to read from several pieces at once that are not in memory yet.
+  [[nodiscard]] std::array<Lane, 2> shifts(unsigned k) const {
+    if constexpr (shifted) {
+      const auto of = [&](unsigned place) { return &near_->cells[cells_[k + place]].shift; };
+      const Lane ac = pairs(of(0), of(2)), bd = pairs(of(1), of(3));
+      return {firsts(ac, bd), seconds(ac, bd)};
+    } else {
+      return {-Lane{}, -Lane{}};  // adds nothing, not even an instruction
     }
   }
-  static Lane lane(const Shifts& shifts, unsigned k) {
-    Lane four = -Lane{};  // adds nothing, not even an instruction
-    if constexpr (shifted) std::memcpy(&four, &shifts[k], sizeof four);
-    return four;
-  }
 
+  const NearCells* near_ = nullptr;
   unsigned count_ = 0;
   std::array<Index, room> numbers_;
-  Shifts shift_x_, shift_y_;
+  std::array<std::uint8_t, shifted ? room : 1> cells_;
   std::array<Lane, capacity / lane_width + 1> times_;
   Lane least_;
   Mask overlap_;

@@ -55,8 +55,8 @@ void check(Index columns, Index rows, bool walls) {
         for (std::size_t k = 0; k < found.count; ++k) {
           const auto cell = expected.find(found.cells[k].offset);
           BOOST_REQUIRE(cell != expected.end());
-          BOOST_REQUIRE(found.cells[k].shift_x == cell->second.first);
-          BOOST_REQUIRE(found.cells[k].shift_y == cell->second.second);
+          BOOST_REQUIRE(found.cells[k].shift.x == cell->second.first);
+          BOOST_REQUIRE(found.cells[k].shift.y == cell->second.second);
           expected.erase(cell);
         }
       }
