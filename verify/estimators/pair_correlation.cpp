@@ -65,15 +65,12 @@ Evidence class_evidence(const SceneRecords& records, const std::function<std::ve
     }
     evidence.notes.push_back(label + note + ".");
   }
-  evidence.notes.push_back(
+  evidence.notes.emplace_back(
       "Classes (thresholds from equilibrium hard disks seen through the same strips): gas, no second shell (g over "
-      "1.95 "
-      "... 2.35 d not above g over 1.4 ... 1.7 d; nu below .40); liquid, a second shell (.13 and more; nu above .45), "
-      "of "
-      "one hump, |psi_6| below .70 (freezing); crystal, the second shell split, |psi_6| above .80 (melting). g(r) is "
-      "normalised by the strip's own geometry, the bins y and W - y together; with 2 pi r instead it would fall off "
-      "with r in "
-      "every bin alike. The plot cuts off the first peaks of crystals.");
+      "1.95 ... 2.35 d not above g over 1.4 ... 1.7 d; nu below .40); liquid, a second shell (.13 and more; nu above "
+      ".45), of one hump, |psi_6| below .70 (freezing); crystal, the second shell split, |psi_6| above .80 (melting). "
+      "g(r) is normalised by the strip's own geometry, the bins y and W - y together; with 2 pi r instead it would "
+      "fall off with r in every bin alike. The plot cuts off the first peaks of crystals.");
   return evidence;
 }
 

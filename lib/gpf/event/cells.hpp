@@ -35,9 +35,8 @@ class Cells {
   /// Cells of about `disks_per_cell` disks at the mean density, never narrower than a diameter.
   Cells(const Scene& scene, double lower, double upper, double length, double disks_per_cell)
       : channel_(scene.geometry == Geometry::channel),
-        lower_(lower),
-        upper_(upper),
-        length_(length),
+        corner_{0, lower},
+        opposite_{length, upper},
         narrowest_(scene.diameter() * (1 + 1e-9)),
         area_per_disk_(length * (upper - lower) / scene.particles) {
     divide(disks_per_cell);
@@ -45,18 +44,17 @@ class Cells {
 
   /// Divides the box anew, into empty cells of such a size.
   void divide(double disks_per_cell) {
-    const double side = std::sqrt(disks_per_cell * area_per_disk_), height = upper_ - lower_;
+    const double side = std::sqrt(disks_per_cell * area_per_disk_), length = opposite_[0],
+                 height = opposite_[1] - corner_[1];
     const auto fit = [=, this](double extent, Index least) {
       return std::max(least, static_cast<Index>(std::min(std::round(extent / side), std::floor(extent / narrowest_))));
     };
-    columns_ = fit(length_, 3);
+    columns_ = fit(length, 3);
     rows_ = fit(height, channel_ ? 1 : 3);
-    width_ = length_ / columns_;
-    height_ = height / rows_;
+    cell_ = Two{length / columns_, height / rows_};
     const auto margin = [this](double extent) { return std::max((extent - narrowest_) / 2, 1e-10 * narrowest_); };
-    margin_x_ = margin(width_);
-    margin_y_ = margin(height_);
-    near_ = {columns_, rows_, length_, channel_ ? 0.0 : 1.0};
+    margin_ = Two{margin(cell_[0]), margin(cell_[1])};
+    near_ = {columns_, rows_, length, channel_ ? 0.0 : 1.0};
     lines_.assign(size(), CellLine{});
   }
 
@@ -70,7 +68,7 @@ class Cells {
   /// The cell at a position; one a little outside belongs to the nearest cell.
   [[nodiscard]] Place locate(double x, double y) const {
     const auto clamped = [](double a, Index count) { return std::clamp(static_cast<Index>(a), Index{0}, count - 1); };
-    return {clamped(x / width_, columns_), clamped((y - lower_) / height_, rows_)};
+    return {clamped(x / cell_[0], columns_), clamped((y - corner_[1]) / cell_[1], rows_)};
   }
 
   /// Puts disk i into the cell of `place`.
@@ -101,20 +99,26 @@ class Cells {
   struct Exit {
     double time;
     Side side;
-    bool wall;
   };
 
   [[nodiscard]] Exit exit(const Place& place, const Flight& f) const {
-    const bool right = f.vx > 0, up = f.vy > 0;
-    const Index edge_x = place.column + Index{right}, edge_y = place.row + Index{up};
-    const double x = std::clamp(edge_x * width_ + (right ? margin_x_ : -margin_x_), 0.0, length_);
-    const double y = std::clamp(lower_ + edge_y * height_ + (up ? margin_y_ : -margin_y_), lower_, upper_);
-    const bool wall = channel_ && (edge_y == 0 || edge_y == rows_);
-    const double flight_x = f.vx != 0 ? std::max((x - f.x) / f.vx, 0.0) : never;
-    const double flight_y = f.vy != 0 ? std::max((y - f.y) / f.vy, 0.0) : never;
-    const bool sideways = flight_x < flight_y;
-    const int side = 2 * !sideways + ((sideways & right) | (!sideways & up));  // a branch here would be guessed wrong
-    return {f.time + std::min(flight_x, flight_y), static_cast<Side>(side), wall && !sideways};
+    const Two r{f.x, f.y}, v{f.vx, f.vy};
+    const auto forward = v > 0;
+    const Two edge =
+        Two{static_cast<double>(place.column), static_cast<double>(place.row)} + (forward ? Two{1, 1} : Two{});
+    Two goal = corner_ + edge * cell_ + (forward ? margin_ : -margin_);
+    goal = goal > corner_ ? goal : corner_;
+    goal = goal < opposite_ ? goal : opposite_;
+    Two flight = (goal - r) / v;
+    flight = flight > 0 ? flight : Two{};
+    flight = v != 0 ? flight : Two{never, never};
+    const unsigned across = flight[0] < flight[1] ? 0 : 1;  // no branch: it would be guessed wrong
+    return {f.time + std::min(flight[0], flight[1]), static_cast<Side>(2 * across + ((bits(forward) >> across) & 1))};
+  }
+
+  /// Whether a side of the cell of `place` is a wall.
+  [[nodiscard]] bool is_wall(const Place& place, Side side) const {
+    return channel_ && ((side == Side::lower && place.row == 0) || (side == Side::upper && place.row == rows_ - 1));
   }
 
   /// The cell beyond a side, where `x` and `y` count how often that goes round the grid.
@@ -138,7 +142,7 @@ class Cells {
     place = next.place;
     insert(place, i);
     if (next.x == 0 && next.y == 0) return false;
-    flight.x -= next.x * length_, flight.y -= next.y;
+    flight.x -= next.x * opposite_[0], flight.y -= next.y;
     return true;
   }
 
@@ -148,20 +152,23 @@ class Cells {
     Place place;
     Flight flight;
     FoundContact contact;
+    const NearCells* near = nullptr;  ///< the cells that are asked
   };
 
   /// Answers each question with the disks of a block of cells around its place; see Neighbourhood. Two questions are
-  /// worked on side by side, for each of them is a long chain of operations that wait for each other. fail(k) when a
-  /// disk overlaps the k-th asker.
-  template <bool asker_is_latest, std::size_t count, class Fail>
+  /// worked on side by side, for each of them is a long chain of operations that wait for each other.
+  template <bool asker_is_latest, std::size_t count>
   void answer(std::array<Question, count>& questions, Block block, const Disk* disks, Index nobody,
-              const ContactTime& contact_time, Fail&& fail) const {
+              const ContactTime& contact_time) const {
     bool shifted = false;
-    for (const Question& q : questions) shifted |= near_(q.place.column, q.place.row, block).shifted;
+    for (Question& q : questions) {
+      q.near = &near_(q.place.column, q.place.row, block);
+      shifted |= q.near->shifted;
+    }
     if (shifted)
-      answer_shifted<asker_is_latest, true>(questions, block, disks, nobody, contact_time, fail);
+      answer_shifted<asker_is_latest, true>(questions, disks, nobody, contact_time);
     else
-      answer_shifted<asker_is_latest, false>(questions, block, disks, nobody, contact_time, fail);
+      answer_shifted<asker_is_latest, false>(questions, disks, nobody, contact_time);
   }
 
   /// Fetches a block of cells around `place` from memory.
@@ -182,41 +189,36 @@ class Cells {
   }
 
  private:
-  template <bool asker_is_latest, bool shifted, std::size_t count, class Fail>
-  void answer_shifted(std::array<Question, count>& questions, Block block, const Disk* disks, Index nobody,
-                      const ContactTime& contact_time, Fail&& fail) const {
+  template <bool asker_is_latest, bool shifted, std::size_t count>
+  void answer_shifted(std::array<Question, count>& questions, const Disk* disks, Index nobody,
+                      const ContactTime& contact_time) const {
     std::array<Neighbourhood<shifted>, count> near;
     std::uint32_t continued = 0;
     unsigned most = 0;
 #pragma GCC unroll 2
     for (std::size_t n = 0; n < count; ++n) {
-      continued |= gather(questions[n].place, block, near[n]);
+      continued |= gather(questions[n], near[n]);
       most = std::max(most, near[n].count());
     }
 #pragma GCC unroll 2
     for (std::size_t n = 0; n < count; ++n) near[n].begin(questions[n].contact.time, nobody, most);
-    for (unsigned k = 0; k < most; k += lane_width) {
+    for (std::size_t k = 0; k < most; k += lane_width) {
 #pragma GCC unroll 2
       for (std::size_t n = 0; n < count; ++n)
         near[n].template ask<asker_is_latest>(k, questions[n].flight, disks, contact_time);
     }
 #pragma GCC unroll 2
-    for (std::size_t n = 0; n < count; ++n) {
-      if (near[n].overlap()) [[unlikely]]
-        fail(n);
-      near[n].choose(questions[n].contact, disks);
-    }
+    for (std::size_t n = 0; n < count; ++n) near[n].choose(questions[n].contact, disks);
     if (continued == 0) [[likely]]
       return;
-    for (std::size_t n = 0; n < count; ++n)
-      ask_the_rest<asker_is_latest>(questions[n], block, disks, nobody, contact_time, [&] { fail(n); });
+    for (std::size_t n = 0; n < count; ++n) ask_the_rest<asker_is_latest>(questions[n], disks, nobody, contact_time);
   }
 
-  /// The first lines of a block of cells. Returns 0 if no cell has more of them.
+  /// The first lines of the cells that are asked. Returns 0 if no cell has more of them.
   template <bool shifted>
-  std::uint32_t gather(const Place& place, Block block, Neighbourhood<shifted>& neighbours) const {
-    const NearCells& near = near_(place.column, place.row, block);
-    const CellLine* const home = &lines_[number(place)];
+  std::uint32_t gather(const Question& question, Neighbourhood<shifted>& neighbours) const {
+    const NearCells& near = *question.near;
+    const CellLine* const home = &lines_[number(question.place)];
     neighbours.surround(near);
     std::uint32_t continued = 0;
     const auto cell = [&](std::size_t k) {
@@ -236,10 +238,10 @@ class Cells {
   }
 
   /// Asks the disks of all lines but the first of each cell.
-  template <bool asker_is_latest, class Fail>
-  [[gnu::noinline]] void ask_the_rest(Question& question, Block block, const Disk* disks, Index nobody,
-                                      const ContactTime& contact_time, Fail&& fail) const {
-    const NearCells& near = near_(question.place.column, question.place.row, block);
+  template <bool asker_is_latest>
+  [[gnu::noinline]] void ask_the_rest(Question& question, const Disk* disks, Index nobody,
+                                      const ContactTime& contact_time) const {
+    const NearCells& near = *question.near;
     const CellLine* const home = &lines_[number(question.place)];
     for (std::size_t cell = 0; cell < near.count; ++cell)
       for (std::uint32_t more = home[near.cells[cell].offset].next; more != 0; more = lines_[more].next) {
@@ -247,10 +249,8 @@ class Cells {
         rest.surround(near);
         rest.gather(lines_[more], cell);
         rest.begin(question.contact.time, nobody, rest.count());
-        for (unsigned k = 0; k < rest.count(); k += lane_width)
+        for (std::size_t k = 0; k < rest.count(); k += lane_width)
           rest.ask<asker_is_latest>(k, question.flight, disks, contact_time);
-        if (rest.overlap()) [[unlikely]]
-          fail();
         rest.choose(question.contact, disks);
       }
   }
@@ -259,10 +259,12 @@ class Cells {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   bool channel_;
-  double lower_, upper_, length_, narrowest_, area_per_disk_;
+  using Two = double __attribute__((vector_size(16)));  // along x and y
+  Two corner_, opposite_;                               // of the box
+  double narrowest_, area_per_disk_;
   Index columns_ = 0, rows_ = 0;
-  double width_ = 0, height_ = 0;
-  double margin_x_ = 0, margin_y_ = 0;  // more than round-off: exit() clamps to the sides of the box
+  Two cell_{};
+  Two margin_{};  // more than round-off: exit() clamps to the sides of the box
   NearCellsOfGrid near_;
   std::vector<CellLine, HugePages<CellLine>> lines_;  // of each cell the first, then those that continue others
 };

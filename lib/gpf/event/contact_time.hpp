@@ -20,19 +20,11 @@ struct Encounter {
   [[nodiscard]] auto meet() const { return (approach < 0) & (discriminant > 0); }
 };
 
-/// When two disks touch.
-template <class Real>
-struct ContactOf {
-  Real time;
-  decltype(Real{} < Real{}) overlap;  ///< the pair approaches from deeper inside each other than round-off explains
-};
-
 /// Finds the next contact of two disks. The answer is a function of the two states alone - not of the time at which
 /// one asks, nor of who is named first - so trajectories do not depend on cells, queues or the order of work.
 class ContactTime {
  public:
-  /// `deepest` is the overlap d - |r| (a length) that round-off can explain.
-  ContactTime(double diameter, double deepest) : d2_(diameter * diameter), deepest_gap_(-2 * diameter * deepest) {}
+  explicit ContactTime(double diameter) : d2_(diameter * diameter) {}
 
   /// b (one disk, or a lane of them) is taken in the image displaced by (shift_x, shift_y). Where `a_is_latest` is
   /// promised (no b has a later time) its own flight, which has no length, is left out.
@@ -53,16 +45,16 @@ class ContactTime {
     return {rx * rx + ry * ry - d2_, rx * ux + ry * uy, (ux * ux + uy * uy) * d2_ - moment * moment};
   }
 
-  /// Of an encounter whose disks meet. The root as gap/(sqrt(disc) - r.u), which stays accurate for near pairs;
-  /// a pair inside each other touches at once.
+  /// When the disks of an encounter that meet touch. The root as gap/(sqrt(disc) - r.u), which stays accurate for near
+  /// pairs; a pair inside each other touches at once.
   template <bool a_is_latest = false, class Real>
-  [[nodiscard]] ContactOf<Real> contact(const Encounter<Real>& e, double time_a, Real time_b) const {
+  [[nodiscard]] Real contact(const Encounter<Real>& e, double time_a, Real time_b) const {
     const Real flight = positive_part(e.gap / (square_root(e.discriminant) - e.approach));
-    return {(a_is_latest ? Real{} + time_a : later(time_a, time_b)) + flight, e.gap < deepest_gap_};
+    return (a_is_latest ? Real{} + time_a : later(time_a, time_b)) + flight;
   }
 
  private:
-  double d2_, deepest_gap_;
+  double d2_;
 };
 
 }  // namespace gpf

@@ -87,7 +87,6 @@ class Engine {
     double last_contact = -never;
     Place place;
     Side side = Side::left;  ///< of the exit
-    bool wall = false;       ///< the exit is a wall
   };
 
   Disk& disk(Index i) { return disks_[static_cast<std::size_t>(i)]; }
@@ -95,6 +94,10 @@ class Engine {
   Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
   /// Whether the contact that a disk has found is off, because its partner has had another.
   [[nodiscard]] bool is_stale(const Disk& a) const { return disk(a.partner).events != a.partner_events; }
+  [[nodiscard]] bool exits_to_wall(Index i) const {
+    const Plan& plan = plans_[static_cast<std::size_t>(i)];
+    return cells_.is_wall(plan.place, plan.side);
+  }
   [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
   [[nodiscard]] double frame_velocity_at(double t) const { return frame_velocity_ + gravity_ * t; }
 
@@ -111,7 +114,7 @@ class Engine {
   template <bool are_latest, std::size_t count>  // whether the askers have just begun their flights: none is later
   void look(const std::array<Index, count>& askers, Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
-  void foresee();
+  [[gnu::noinline]] void foresee();
   void next_epoch();
   void boost(std::vector<Flight>& flights);
   void begin_epoch(const std::vector<Flight>& flights);
@@ -128,6 +131,7 @@ class Engine {
   PositionGrid grid_;
   double length_, lower_, upper_, gravity_, epoch_length_, disks_per_cell_;
   ContactTime contact_time_;
+  double most_depth_;  // of an overlap that round-off explains, as deepest_
   Cells cells_;
   Queue queue_;
   std::vector<Disk, HugePages<Disk>> disks_;  // in the order of cells; the last is nobody
@@ -153,7 +157,7 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
     if (foresees_) foresee();
     const Disk& mine = disk(i);
     if (plan(i).exit < mine.contact) {
-      if (plan(i).wall)
+      if (exits_to_wall(i))
         bounce(i, now_, observer);
       else
         cross(i);
@@ -174,7 +178,8 @@ template <class Queue, class Physics>
 std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
   const Disk& mine = disk(i);
   const Plan& plan = plans_[static_cast<std::size_t>(i)];
-  if (plan.exit < mine.contact) return plan.wall ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
+  if (plan.exit < mine.contact)
+    return exits_to_wall(i) ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
   if (is_stale(mine)) return 0;
   const auto [low, high] = std::minmax(mine.id, disk(mine.partner).id);
   return (static_cast<std::uint64_t>(low) << 32) + static_cast<std::uint64_t>(high);
@@ -191,6 +196,10 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
     return 2 * r > period ? r - period : 2 * r < -period ? r + period : r;
   };
   const Vec2 r_12{nearest(b.x - a.x, length_), channel_ ? b.y - a.y : nearest(b.y - a.y, 1)};
+  const double depth = square(scene_.diameter()) - dot(r_12, r_12);
+  deepest_ = std::max(deepest_, depth);
+  if (depth > most_depth_) [[unlikely]]
+    fail_overlap(i);
   const double quiet = t - std::max(plan(i).last_contact, plan(j).last_contact);
   const PairOutcome outcome = physics_.pair(r_12, {a.vx - b.vx, a.vy - b.vy}, quiet);
   a.vx -= outcome.impulse.x, a.vy -= outcome.impulse.y;
@@ -199,7 +208,6 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
   ++mine.events, ++other.events;
   plan(i).last_contact = plan(j).last_contact = t;
   trace_.add(epoch_, t, mine.id, other.id);
-  deepest_ = std::max(deepest_, square(scene_.diameter()) - dot(r_12, r_12));
   if ((++counts_.pair_contacts & 0xffff) == 0) watch_for_collapse(t);
   const double frame = frame_velocity_at(t);
   observer.on_pair(PairContact{epoch_start() + t,
@@ -277,10 +285,8 @@ void Engine<Queue, Physics>::look(const std::array<Index, count>& askers, Block 
     const auto exit = cells_.exit(plan.place, mine.flight);
     plan.exit = exit.time;
     plan.side = exit.side;
-    plan.wall = exit.wall;
   }
-  cells_.template answer<are_latest>(questions, block, disks_.data(), nobody, contact_time_,
-                                     [&](std::size_t k) { fail_overlap(askers[k]); });
+  cells_.template answer<are_latest>(questions, block, disks_.data(), nobody, contact_time_);
   for (std::size_t k = 0; k < count; ++k) {
     const FoundContact& found = questions[k].contact;
     Disk& mine = disk(askers[k]);
@@ -307,7 +313,8 @@ void Engine<Queue, Physics>::foresee() {
       fetch(&plan(i));
       return queue_.fetch_links(i);
     }
-    const bool crosses = plan(i).exit < disk(i).contact && !plan(i).wall, collides = plan(i).exit >= disk(i).contact;
+    const bool crosses = plan(i).exit < disk(i).contact && !exits_to_wall(i),
+               collides = plan(i).exit >= disk(i).contact;
     const Place place = crosses ? cells_.beyond(plan(i).place, plan(i).side).place : plan(i).place;
     const Block block = crosses ? ahead(plan(i).side) : Block::all;
     const Index partner = disk(i).partner;

@@ -26,7 +26,8 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
       gravity_(scene.gravity),
       epoch_length_(epoch_length(scene)),
       disks_per_cell_(disks_per_cell > 0 ? disks_per_cell : best_disks_per_cell),
-      contact_time_(scene.diameter(), detail::deepest_round_off(scene)),
+      contact_time_(scene.diameter()),
+      most_depth_(2 * scene.diameter() * detail::deepest_round_off(scene)),
       cells_(scene, lower_, upper_, length_, disks_per_cell_),
       epoch_(state.epoch),
       frame_velocity_(state.frame_velocity),
@@ -145,7 +146,7 @@ void Engine<Queue, Physics>::fail_overlap(Index i) const {
         if (channel_ && shift_y != 0) continue;
         const Flight &a = disk(i).flight, &b = disk(j).flight;
         const Encounter<double> e = contact_time_.encounter(a, b, shift_x, shift_y);
-        if (e.meet() && contact_time_.contact(e, a.time, b.time).overlap) others += "; " + describe(j);
+        if (e.meet() && -e.gap > most_depth_) others += "; " + describe(j);
       }
   throw PhysicsError(
       fmt::format("two disks overlap beyond round-off and approach, epoch {} ({}{})", epoch_, describe(i), others),

@@ -1,11 +1,12 @@
-// Four doubles that are worked on at once; every operation gives each of them the bits that a double would get.
+// A few doubles that are worked on at once; every operation gives each of them the bits that a double would get.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 
-#ifdef __AVX__
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
@@ -13,64 +14,87 @@
 
 namespace gpf {
 
-using Lane = double __attribute__((vector_size(32)));
+/// As many as the widest register holds: compilers take what is wider apart number by number.
+#ifdef __AVX__
 inline constexpr unsigned lane_width = 4;
+#else
+inline constexpr unsigned lane_width = 2;
+#endif
+using Lane = double __attribute__((vector_size(lane_width * sizeof(double))));
+
+/// A lane of equal doubles. (Less zero, which changes no bit: plus zero would cost an addition.)
+inline Lane alike(double a) { return a - Lane{}; }
 
 inline double positive_part(double a) { return a > 0 ? a : 0; }
 inline Lane positive_part(Lane a) { return a > 0 ? a : Lane{}; }
 
 inline double later(double a, double b) { return a > b ? a : b; }
-inline Lane later(double a, Lane b) { return a > b ? Lane{a, a, a, a} : b; }
+inline Lane later(double a, Lane b) { return a > b ? alike(a) : b; }
 
 inline double square_root(double a) { return std::sqrt(a); }
 inline Lane square_root(Lane a) {
-#ifdef __AVX__
+#if defined(__AVX__)
   return reinterpret_cast<Lane>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
+#elif defined(__SSE2__)
+  return reinterpret_cast<Lane>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a)));
 #else
-  return Lane{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+  return Lane{std::sqrt(a[0]), std::sqrt(a[1])};
 #endif
 }
 
-/// Bit k is set when a comparison of lanes holds in place k.
+/// Bit k is set when a comparison of vectors holds in place k.
 template <class Mask>
 unsigned bits(Mask mask) {
 #ifdef __AVX__
-  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
-#else
+  if constexpr (sizeof mask == 32 && sizeof mask[0] == 8)
+    return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+  if constexpr (sizeof mask == 32 && sizeof mask[0] == 4)
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#endif
+#ifdef __SSE2__
+  if constexpr (sizeof mask == 16 && sizeof mask[0] == 8)
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+#endif
   unsigned set = 0;
-  for (unsigned k = 0; k < lane_width; ++k) set |= (mask[k] != 0 ? 1u : 0u) << k;
+  for (unsigned k = 0; k < sizeof mask / sizeof mask[0]; ++k) set |= (mask[k] != 0 ? 1u : 0u) << k;
   return set;
+}
+
+/// Two doubles lie side by side at each of the addresses at(0), at(1), ...: all the first ones, all the second ones.
+template <class At>
+[[gnu::always_inline]] inline std::array<Lane, 2> columns(At&& at) {
+#ifdef __AVX__
+  const auto halves = [&](unsigned low, unsigned high) {
+    const void *first = at(low), *second = at(high);
+    return reinterpret_cast<Lane>(
+        _mm256_loadu2_m128d(static_cast<const double*>(second), static_cast<const double*>(first)));
+  };
+  const Lane ac = halves(0, 2), bd = halves(1, 3);
+  return {__builtin_shufflevector(ac, bd, 0, 4, 2, 6), __builtin_shufflevector(ac, bd, 1, 5, 3, 7)};
+#else
+  Lane a, b;
+  std::memcpy(&a, at(0), sizeof a);
+  std::memcpy(&b, at(1), sizeof b);
+  return {__builtin_shufflevector(a, b, 0, 2), __builtin_shufflevector(a, b, 1, 3)};
 #endif
 }
 
-/// Four disks side by side: their flights, and the contacts that they have found.
+/// Disks side by side: their flights, and the contacts that they have found.
 struct Abreast {
   FlightOf<Lane> flight;
   Lane contact;
 };
 
-/// Two doubles that lie side by side at each of two places.
-inline Lane pairs(const void* first, const void* second) {
-  using Pair = double __attribute__((vector_size(16)));
-  Pair low, high;
-  std::memcpy(&low, first, sizeof low);
-  std::memcpy(&high, second, sizeof high);
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-}
-/// Of such pairs of a and c, b and d: the first numbers of a, b, c, d, and the second.
-inline Lane firsts(Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 0, 4, 2, 6); }
-inline Lane seconds(Lane ac, Lane bd) { return __builtin_shufflevector(ac, bd, 1, 5, 3, 7); }
-
-/// Numbers are read in pairs, as they lie in memory.
-inline Abreast abreast(const Disk& a, const Disk& b, const Disk& c, const Disk& d) {
-  const auto of = [](const Disk& first, const Disk& second, std::size_t number) {
-    return pairs(reinterpret_cast<const std::byte*>(&first) + number * sizeof(double),
-                 reinterpret_cast<const std::byte*>(&second) + number * sizeof(double));
+/// The disks disk(0), disk(1), ... Their numbers are read in pairs, as they lie in memory.
+template <class DiskAt>
+[[gnu::always_inline]] inline Abreast abreast(DiskAt&& disk) {
+  const auto numbers = [&](std::size_t first) {
+    return columns([&](unsigned k) { return reinterpret_cast<const std::byte*>(&disk(k)) + first * sizeof(double); });
   };
-  const Lane r_ac = of(a, c, 0), r_bd = of(b, d, 0), v_ac = of(a, c, 2), v_bd = of(b, d, 2);
-  const Lane t_ac = of(a, c, 4), t_bd = of(b, d, 4);
-  return {{firsts(r_ac, r_bd), seconds(r_ac, r_bd), firsts(v_ac, v_bd), seconds(v_ac, v_bd), firsts(t_ac, t_bd)},
-          seconds(t_ac, t_bd)};
+  const auto [x, y] = numbers(0);
+  const auto [vx, vy] = numbers(2);
+  const auto [time, contact] = numbers(4);
+  return {{x, y, vx, vy, time}, contact};
 }
 
 }  // namespace gpf

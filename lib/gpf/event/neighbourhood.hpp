@@ -18,6 +18,7 @@ namespace gpf {
 /// What a cell keeps: the numbers of up to six disks. A cell that overflows is continued in another line.
 struct alignas(32) CellLine {
   static constexpr std::uint32_t room = 6;
+  using Numbers = Index __attribute__((vector_size(32)));  ///< the whole line
 
   std::array<Index, room> disks{};
   std::uint32_t count = 0;
@@ -25,9 +26,9 @@ struct alignas(32) CellLine {
 
   /// A bit for each place that holds disk i.
   [[nodiscard]] std::uint32_t places_of(Index i) const {
-    std::uint32_t places = 0;
-    for (std::uint32_t k = 0; k < room; ++k) places |= std::uint32_t{disks[k] == i} << k;
-    return places & ((1u << count) - 1);
+    Numbers line;
+    std::memcpy(&line, this, sizeof line);
+    return bits(line == i) & ((1u << count) - 1);
   }
 };
 static_assert(sizeof(CellLine) == 32);
@@ -38,7 +39,7 @@ struct FoundContact {
   Index partner = -1;
 };
 
-/// The disks of the cells around one that asks, which are asked four at a time without a branch on their number or
+/// The disks of the cells around one that asks, which are asked a lane at a time without a branch on their number or
 /// their answers. With `shifted` each is taken in an image of its own.
 template <bool shifted>
 class Neighbourhood {
@@ -69,34 +70,30 @@ class Neighbourhood {
       std::memcpy(&numbers_[k], &nobodies, sizeof nobodies);
       if constexpr (shifted) std::memset(&cells_[k], 0, line_size);
     }
-    least_ = Lane{} + known_time;
-    overlap_ = Mask{};
+    least_ = alike(known_time);
   }
 
   /// Asks the disks in the lane from place k on when they touch disk `a`. One that has found an earlier contact for
   /// itself is no partner: it will collide before.
   template <bool a_is_latest>
-  void ask(unsigned k, const Flight& a, const Disk* disks, const ContactTime& contact_time) {
+  [[gnu::always_inline]] void ask(std::size_t k, const Flight& a, const Disk* disks, const ContactTime& contact_time) {
     const auto disk = [&](unsigned place) -> const Disk& {
       return disks[static_cast<std::uint32_t>(numbers_[k + place])];
     };
-    const Abreast b = abreast(disk(0), disk(1), disk(2), disk(3));
+    const Abreast b = abreast(disk);
     const auto [shift_x, shift_y] = shifts(k);
     const Encounter<Lane> e = contact_time.encounter<a_is_latest>(a, b.flight, shift_x, shift_y);
-    const ContactOf<Lane> contact = contact_time.contact<a_is_latest>(e, a.time, b.flight.time);
-    const Lane time = (e.meet() & (contact.time <= b.contact)) ? contact.time : Lane{} + never;
+    const Lane contact = contact_time.contact<a_is_latest>(e, a.time, b.flight.time);
+    const Lane time = (e.meet() & (contact <= b.contact)) ? contact : alike(never);
     times_[k / lane_width] = time;
     least_ = time < least_ ? time : least_;
-    overlap_ |= e.meet() & contact.overlap;
   }
-
-  /// Whether a disk overlaps the one that asks deeper than round-off explains.
-  [[nodiscard]] bool overlap() const { return bits(overlap_) != 0; }
 
   /// Makes of the contact that the disk knows of the earliest of it and those that were found; of equal times the one
   /// with the lowest id.
   void choose(FoundContact& known, const Disk* disks) const {
-    const double time = std::min(std::min(least_[0], least_[1]), std::min(least_[2], least_[3]));
+    double time = least_[0];
+    for (unsigned k = 1; k < lane_width; ++k) time = std::min(time, least_[k]);
     if (time == never) return;
     std::uint64_t equal = 0;
     for (unsigned k = 0; k < count_; k += lane_width) equal |= std::uint64_t{bits(times_[k / lane_width] == time)} << k;
@@ -111,17 +108,14 @@ class Neighbourhood {
  private:
   static constexpr unsigned capacity = 9 * CellLine::room;
   static_assert(capacity < 64, "a word has a bit for each");
-  using Mask = decltype(Lane{} < Lane{});
-  using Line = Index __attribute__((vector_size(sizeof(CellLine))));
+  using Line = CellLine::Numbers;
   static constexpr unsigned line_size = sizeof(Line) / sizeof(Index), room = capacity + lane_width + line_size;
 
   /// Of the disks in the lane from place k on, along x and y. One by one from what gather() has written: its pieces
   /// overlap, and a processor waits when it is to read from several pieces at once that are not in memory yet.
-  [[nodiscard]] std::array<Lane, 2> shifts(unsigned k) const {
+  [[nodiscard]] std::array<Lane, 2> shifts(std::size_t k) const {
     if constexpr (shifted) {
-      const auto of = [&](unsigned place) { return &near_->cells[cells_[k + place]].shift; };
-      const Lane ac = pairs(of(0), of(2)), bd = pairs(of(1), of(3));
-      return {firsts(ac, bd), seconds(ac, bd)};
+      return columns([&](unsigned place) { return &near_->cells[cells_[k + place]].shift; });
     } else {
       return {-Lane{}, -Lane{}};  // adds nothing, not even an instruction
     }
@@ -133,7 +127,6 @@ class Neighbourhood {
   std::array<std::uint8_t, shifted ? room : 1> cells_;
   std::array<Lane, capacity / lane_width + 1> times_;
   Lane least_;
-  Mask overlap_;
 };
 
 }  // namespace gpf

@@ -33,9 +33,18 @@ struct BackwardQueue : HeapQueue {
   Index count_ = 0;
 };
 
-/// Loses all events.
+/// Loses all events of the first epoch.
 struct DeafQueue : HeapQueue {
-  void schedule(Index, double) {}
+  void reset(std::size_t count, double horizon, double events_per_time) {
+    HeapQueue::reset(count, horizon, events_per_time);
+    ++epochs_;
+  }
+  void schedule(Index i, double time) {
+    if (epochs_ > 1) HeapQueue::schedule(i, time);
+  }
+
+ private:
+  int epochs_ = 0;
 };
 
 }  // namespace

@@ -68,19 +68,34 @@ BOOST_AUTO_TEST_CASE(later_and_square_root_are_those_of_each_double) {
 }
 
 BOOST_AUTO_TEST_CASE(abreast_puts_each_disk_in_its_place) {
-  std::array<Disk, 4> disks;
+  std::array<Disk, lane_width> disks;
   double number = 0;
   for (Disk& d : disks) {
     for (double* value : {&d.flight.x, &d.flight.y, &d.flight.vx, &d.flight.vy, &d.flight.time, &d.contact})
       *value = ++number;
     d.partner = d.id = 77;
   }
-  const Abreast all = abreast(disks[0], disks[1], disks[2], disks[3]);
-  for (unsigned k = 0; k < 4; ++k) {
+  const Abreast all = abreast([&](unsigned k) -> const Disk& { return disks[k]; });
+  for (unsigned k = 0; k < lane_width; ++k) {
     const Flight& f = disks[k].flight;
     BOOST_TEST((all.flight.x[k] == f.x && all.flight.y[k] == f.y && all.flight.vx[k] == f.vx));
     BOOST_TEST((all.flight.vy[k] == f.vy && all.flight.time[k] == f.time && all.contact[k] == disks[k].contact));
   }
+}
+
+BOOST_AUTO_TEST_CASE(columns_are_read_from_any_address) {
+  std::array<double, 2 * lane_width + 1> numbers;
+  for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<double>(k);
+  const auto [first, second] = columns([&](unsigned k) { return &numbers[2 * (lane_width - 1 - k) + 1]; });
+  for (unsigned k = 0; k < lane_width; ++k) {
+    const double expected = 2 * (lane_width - 1 - k) + 1;
+    BOOST_TEST((first[k] == expected && second[k] == expected + 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(alike_changes_no_bit) {
+  for (const double a : samples)
+    for (unsigned k = 0; k < lane_width; ++k) BOOST_TEST((same_bits(alike(a)[k], a) || std::isnan(a)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
