@@ -89,9 +89,9 @@ class BasicCalendarQueue {
   template <class Stage>
   void foresee(Stage&& stage) {
     for (; foreseen_ < today_; ++foreseen_) {
-      fetch(&at(at(slot(foreseen_ + 32)).next));
+      fetch(&at(at(slot(foreseen_ + 16)).next));
       for (int number = 0; number < 4; ++number) {
-        const Index head = slot(foreseen_ + 24 - std::int64_t{6} * number);
+        const Index head = slot(foreseen_ + 12 - std::int64_t{3} * number);
         for (Index entry = at(head).next; entry != head; entry = at(entry).next) stage(number, entry / 2);
       }
     }
