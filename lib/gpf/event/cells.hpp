@@ -19,7 +19,7 @@
 
 namespace gpf {
 
-/// Side of a cell through which a disk leaves.
+/// Side of a cell through which a disk leaves, as Cells::exit() numbers them.
 enum class Side : std::uint8_t { left, right, lower, upper };
 constexpr Block ahead(Side side) { return static_cast<Block>(side); }
 
