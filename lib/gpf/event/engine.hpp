@@ -321,6 +321,7 @@ void Engine<Queue, Physics>::foresee() {
     if (stage == 1) {
       cells_.fetch_cells(place, block);
       if (crosses) {
+        fetch(&disk(std::max(partner, 0)));  // that contact may be stale
         cells_.fetch_cell(plan(i).place);
         cells_.fetch_cell(place);
       }
