@@ -114,7 +114,7 @@ void write_speed_page(const std::vector<SpeedRow>& rows, int repeats, const std:
           "[speed.csv](speed.csv).\n\n"
           "![Speed against the number of disks](speed.svg)\n\n"
           "## Elastic disks in a periodic box\n\n{}\n"
-          "The fastest other is the best of the public codes built and timed on a machine of the same kind, on another "
+          "The fastest other is the best of the public codes built and timed on another machine, on another "
           "day:\n[its origin](../reference/data/Smallenburg_2022/ORIGIN.md).\n\n"
           "## The thesis' channel\n\n{}\n"
           "What was tried to make it faster, won or lost: "
