@@ -13,6 +13,7 @@
 #include "gpf/event/disk.hpp"
 #include "gpf/event/fetch.hpp"
 #include "gpf/event/huge_pages.hpp"
+#include "gpf/event/lane.hpp"
 #include "gpf/event/near_cells.hpp"
 #include "gpf/event/neighbourhood.hpp"
 #include "gpf/scene/scene.hpp"
@@ -30,7 +31,7 @@ struct Place {
 
 /// Rows run along x. In a channel the outermost sides are the contact planes of the walls; otherwise the grid closes
 /// on itself with the periods L and 1.
-class Cells {
+class GPF_LANES Cells {
  public:
   /// Cells of about `disks_per_cell` disks at the mean density, never narrower than a diameter.
   Cells(const Scene& scene, double lower, double upper, double length, double disks_per_cell)

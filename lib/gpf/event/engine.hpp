@@ -38,7 +38,7 @@ namespace gpf {
 /// order of their own. So a trajectory - and its trace_hash() - is a function of (scene, start) alone: not of the
 /// queue, the cells, the compiler, or where a run was stopped and resumed.
 template <class Queue = CalendarQueue, class Physics = GranularPhysics>
-class Engine {
+class GPF_LANES Engine {
  public:
   /// Starts from a laboratory-frame state at time 0.
   /// `disks_per_cell` decides about speed only; 0 takes the best. Throws PhysicsError if disks overlap, InputError

@@ -14,16 +14,20 @@
 
 namespace gpf {
 
-/// As many as the widest register holds: compilers take what is wider apart number by number.
+/// As many as the widest register holds: compilers take what is wider apart number by number. Whatever is made of lanes
+/// bears GPF_LANES, a part of its symbol, as the library may be compiled for other registers than a program that uses
+/// it.
 #ifdef __AVX__
 inline constexpr unsigned lane_width = 4;
+#define GPF_LANES [[gnu::abi_tag("lanes4")]]
 #else
 inline constexpr unsigned lane_width = 2;
+#define GPF_LANES [[gnu::abi_tag("lanes2")]]
 #endif
 using Lane = double __attribute__((vector_size(lane_width * sizeof(double))));
 
 /// A lane of equal doubles. (Less zero, which changes no bit: plus zero would cost an addition.)
-inline Lane alike(double a) { return a - Lane{}; }
+GPF_LANES inline Lane alike(double a) { return a - Lane{}; }
 
 inline double positive_part(double a) { return a > 0 ? a : 0; }
 inline Lane positive_part(Lane a) { return a > 0 ? a : Lane{}; }
@@ -44,7 +48,7 @@ inline Lane square_root(Lane a) {
 
 /// Bit k is set when a comparison of vectors holds in place k.
 template <class Mask>
-unsigned bits(Mask mask) {
+GPF_LANES unsigned bits(Mask mask) {
 #ifdef __AVX__
   if constexpr (sizeof mask == 32 && sizeof mask[0] == 8)
     return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
@@ -62,7 +66,7 @@ unsigned bits(Mask mask) {
 
 /// Two doubles lie side by side at each of the addresses at(0), at(1), ...: all the first ones, all the second ones.
 template <class At>
-[[gnu::always_inline]] inline std::array<Lane, 2> columns(At&& at) {
+GPF_LANES [[gnu::always_inline]] inline std::array<Lane, 2> columns(At&& at) {
 #ifdef __AVX__
   const auto halves = [&](unsigned low, unsigned high) {
     const void *first = at(low), *second = at(high);
@@ -80,14 +84,14 @@ template <class At>
 }
 
 /// Disks side by side: their flights, and the contacts that they have found.
-struct Abreast {
+struct GPF_LANES Abreast {
   FlightOf<Lane> flight;
   Lane contact;
 };
 
 /// The disks disk(0), disk(1), ... Their numbers are read in pairs, as they lie in memory.
 template <class DiskAt>
-[[gnu::always_inline]] inline Abreast abreast(DiskAt&& disk) {
+GPF_LANES [[gnu::always_inline]] inline Abreast abreast(DiskAt&& disk) {
   const auto numbers = [&](std::size_t first) {
     return columns([&](unsigned k) { return reinterpret_cast<const std::byte*>(&disk(k)) + first * sizeof(double); });
   };

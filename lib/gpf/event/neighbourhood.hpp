@@ -42,7 +42,7 @@ struct FoundContact {
 /// The disks of the cells around one that asks, which are asked a lane at a time without a branch on their number or
 /// their answers. With `shifted` each is taken in an image of its own.
 template <bool shifted>
-class Neighbourhood {
+class GPF_LANES Neighbourhood {
  public:
   /// First: the cells to whose lines gather() refers.
   void surround(const NearCells& near) { near_ = &near; }
