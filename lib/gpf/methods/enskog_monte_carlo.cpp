@@ -95,7 +95,6 @@ EnskogMonteCarlo::EnskogMonteCarlo(const Scene& scene, const MonteCarloSetting& 
   for (int k = 0; k <= (along_ - 1) / 2 && k * column < reach_along; ++k)
     kernel_along_.push_back(1 - k * column / reach_along);
   for (auto* kernel : {&kernel_, &kernel_along_}) normalise(*kernel);
-  for (auto* sums : {&count_, &sum_x_, &sum_y_, &squares_}) sums->assign(static_cast<std::size_t>(cells_), 0);
   sort_into_cells();
 }
 
@@ -347,32 +346,6 @@ void EnskogMonteCarlo::collide() {
   missed_ += missed, taken_ += static_cast<double>(taken);
   fastest_ *= missed_ > most_missed * taken_ ? 1.01 : 0.999;
   missed_ *= 0.99, taken_ *= 0.99;
-}
-
-void EnskogMonteCarlo::sample() {
-  ++samples_;
-  for (std::size_t c = 0; c < fraction_.size(); ++c) {
-    const std::size_t row = c % count_.size();
-    count_[row] += first_[c + 1] - first_[c];
-    for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k) {
-      const Vec2 v = velocity_[order_[k]];
-      sum_x_[row] += v.x;
-      sum_y_[row] += v.y;
-      squares_[row] += dot(v, v);
-    }
-  }
-}
-
-MonteCarloProfile EnskogMonteCarlo::profile() const {
-  MonteCarloProfile p;
-  for (std::size_t c = 0; c < count_.size(); ++c) {
-    const double n = count_[c], ux = sum_x_[c] / n, uy = sum_y_[c] / n;
-    p.y.push_back(bottom_ + room_ * (static_cast<double>(c) + 0.5) / cells_);
-    p.mean_velocity.push_back(ux);
-    p.granular_temperature.push_back((squares_[c] / n - square(ux) - square(uy)) / 2);
-    p.area_fraction.push_back(std::numbers::pi * square(diameter_) / 4 * n / samples_ * weight_ * cells_ / room_);
-  }
-  return p;
 }
 
 State EnskogMonteCarlo::state() const { return {position_, velocity_}; }

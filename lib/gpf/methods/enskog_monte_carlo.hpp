@@ -20,12 +20,6 @@ struct MonteCarloSetting {
   int cells_along = 1;           ///< along the channel, over its period L; 1: uniform along it, no x
 };
 
-/// Averages over time and the length of the channel, in the cells across it.
-struct MonteCarloProfile {
-  std::vector<double> y;  ///< middles of the cells
-  std::vector<double> mean_velocity, granular_temperature, area_fraction;
-};
-
 /// What collisions, walls and gravity have done since the start, per length of channel. Impulses to a wall are positive
 /// outward and along +x.
 struct MonteCarloSums {
@@ -70,11 +64,6 @@ class EnskogMonteCarlo {
   /// Lab frame at time(), of the simulated particles; with one cell along all x are 0.
   [[nodiscard]] State state() const;
 
-  /// Adds the present state to the averages.
-  void sample();
-
-  /// NaN in cells where nothing has been sampled.
-  [[nodiscard]] MonteCarloProfile profile() const;
   [[nodiscard]] const MonteCarloSums& sums() const { return sums_; }
   /// Kinetic energy per length.
   [[nodiscard]] double kinetic_energy() const;
@@ -112,8 +101,6 @@ class EnskogMonteCarlo {
   double frozen_ = 0;  // part of the particles where it is frozen, averaged over time
   MonteCarloSums sums_;
   ContactWatcher* watcher_ = nullptr;
-  double samples_ = 0;
-  std::vector<double> count_, sum_x_, sum_y_, squares_;  // by row
 };
 
 }  // namespace gpf
