@@ -66,10 +66,22 @@ class GPF_LANES Cells {
   /// Number of a cell, rows first.
   [[nodiscard]] std::size_t number(const Place& place) const { return number(place.column, place.row); }
 
-  /// The cell at a position; one a little outside belongs to the nearest cell.
-  [[nodiscard]] Place locate(double x, double y) const {
+  /// The cell for a disk: of those that it is in, or outside of by no more than the margin (see exit()), the last on
+  /// its way, in which it stays longest. One outside the box belongs to the nearest cell.
+  [[nodiscard]] Place locate(const Flight& f) const {
+    const Two r{f.x, f.y}, v{f.vx, f.vy};
+    const Two cells = (r + (v > 0 ? margin_ : Two{}) - (v < 0 ? margin_ : Two{}) - corner_) / cell_;
     const auto clamped = [](double a, Index count) { return std::clamp(static_cast<Index>(a), Index{0}, count - 1); };
-    return {clamped(x / cell_[0], columns_), clamped((y - corner_[1]) / cell_[1], rows_)};
+    return {clamped(cells[0], columns_), clamped(cells[1], rows_)};
+  }
+
+  /// Moves disk i, which begins flight f, from the cell of `place` to the one that is best for it.
+  void settle(Place& place, Index i, const Flight& f) {
+    const Place next = locate(f);
+    if (next.column == place.column && next.row == place.row) return;
+    remove(place, i);
+    place = next;
+    insert(place, i);
   }
 
   /// Puts disk i into the cell of `place`.

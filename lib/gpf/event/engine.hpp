@@ -71,9 +71,9 @@ class GPF_LANES Engine {
   static double epoch_length(const Scene& scene);
 
  private:
-  /// Larger cells are left less often, smaller ones hold fewer disks out of reach. Measured at N = 10^3, area fractions
-  /// .05, .30 and .70: 1.0, 1.25 and 1.5 differ by less than noise, 7 %; 0.8 is slower by up to 20, 2.5 by up to 50 %.
-  static constexpr double best_disks_per_cell = 1.25;
+  /// Larger cells are left less often, smaller ones hold fewer disks out of reach. Measured at area fractions .05, .30
+  /// and .70 (N = 10^3) and in channels: 0.8 and 1.0 differ by less than noise, 1.25 is up to 6 % slower.
+  static constexpr double best_disks_per_cell = 1;
   /// Cells shrink by the square of crowding(), which is right where nearly all collisions happen in waves or clumps
   /// and leaves a gas as it is; by no more than this, for empty cells take memory too (32 bytes each).
   static constexpr double most_shrinking = 20;
@@ -219,6 +219,8 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
                                {b.vx + frame, b.vy},
                                outcome.impulse,
                                outcome.energy_loss});
+  cells_.settle(plan(i).place, i, a);
+  cells_.settle(plan(j).place, j, b);
   look<true>(std::array{i, j}, Block::all);
 }
 
@@ -239,6 +241,7 @@ void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
   trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
   ++counts_.wall_contacts;
   observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
+  cells_.settle(plan(i).place, i, a);
   look<true>(std::array{i}, Block::all);
 }
 

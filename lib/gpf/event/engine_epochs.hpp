@@ -74,7 +74,7 @@ void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
   cells_.divide(disks_per_cell_ / std::min(square(crowded), most_shrinking));
   std::vector<std::size_t> first(cells_.size() + 1, 0);
   for (std::size_t k = 0; k < plans_.size(); ++k) {
-    plans_[k].place = cells_.locate(flights[k].x, flights[k].y);
+    plans_[k].place = cells_.locate(flights[k]);
     ++first[cells_.number(plans_[k].place) + 1];
   }
   for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];

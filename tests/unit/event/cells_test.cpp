@@ -31,7 +31,7 @@ struct Filled {
       const Vec2 v = gaussian_pair(scene.seed, static_cast<std::uint64_t>(i));
       flights.push_back({grid.round(length * words[0] * 0x1p-32),
                          grid.round(lower + (1 - 2 * lower) * words[1] * 0x1p-32), v.x, v.y, 0});
-      places.push_back(cells.locate(flights.back().x, flights.back().y));
+      places.push_back(cells.locate(flights.back()));
       cells.insert(places.back(), i);
       disks.push_back({.flight = flights.back(), .id = i});
     }
@@ -43,6 +43,15 @@ struct Filled {
     std::array questions{Cells::Question{places[k], disks[k].flight, known}};
     cells.answer<false>(questions, block, disks.data(), scene.particles, contact_time);
     return questions[0].contact;
+  }
+
+  /// All disks turn round, where they are.
+  void turn() {
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+      flights[i].vx *= -1, flights[i].vy *= -1;
+      disks[i].flight = flights[i];
+      cells.settle(places[i], static_cast<Index>(i), flights[i]);
+    }
   }
 
   /// Whom disk i meets among a block of cells around it, and when: asks for the earliest until all are taken. None may
@@ -71,6 +80,9 @@ struct Filled {
   std::vector<Disk> disks;  // the last is nobody
 };
 
+/// The cell at a position.
+Place cell_at(const Cells& cells, double x, double y) { return cells.locate({x, y, 0, 0, 0}); }
+
 std::vector<Scene> scenes() {
   Scene one_row = test::channel(40, 0.3, 1.8);
   Scene smallest = test::gas(12, 0.3);
@@ -90,8 +102,8 @@ BOOST_AUTO_TEST_CASE(no_narrower_than_a_disk_and_about_as_many_as_asked_for) {
       // Two places a diameter apart in x lie in the same cell or in neighbours, the last and the first included.
       const double d = scene.diameter();
       for (double x = 0; x < scene.length(); x += 0.13 * d) {
-        const Index from = f.cells.locate(x, 0.5).column, last = f.cells.locate(f.length, 0.5).column;
-        const Index to = f.cells.locate(std::fmod(x + d, f.length), 0.5).column;
+        const Index from = cell_at(f.cells, x, 0.5).column, last = cell_at(f.cells, f.length, 0.5).column;
+        const Index to = cell_at(f.cells, std::fmod(x + d, f.length), 0.5).column;
         BOOST_TEST((to - from == 0 || to - from == 1 || (from == last && to == 0)));
       }
       BOOST_TEST(f.cells.size() >= 3u);
@@ -103,11 +115,11 @@ BOOST_AUTO_TEST_CASE(no_narrower_than_a_disk_and_about_as_many_as_asked_for) {
 BOOST_AUTO_TEST_CASE(places_outside_belong_to_the_nearest_cell) {
   const Filled f(test::gas(400, 0.1), 1);
   for (const double y : {-1e-16, 0.0, 0.7, 1.0}) {
-    BOOST_TEST(f.cells.locate(-1e-15, y).column == 0);
-    BOOST_TEST(f.cells.locate(f.length, y).column == f.cells.locate(f.length * (1 - 1e-9), y).column);
+    BOOST_TEST(cell_at(f.cells, -1e-15, y).column == 0);
+    BOOST_TEST(cell_at(f.cells, f.length, y).column == cell_at(f.cells, f.length * (1 - 1e-9), y).column);
   }
-  BOOST_TEST(f.cells.locate(0.5, -1e-17).row == 0);
-  BOOST_TEST(f.cells.locate(0.5, 1).row == f.cells.locate(0.5, 0.999999).row);
+  BOOST_TEST(cell_at(f.cells, 0.5, -1e-17).row == 0);
+  BOOST_TEST(cell_at(f.cells, 0.5, 1).row == cell_at(f.cells, 0.5, 0.999999).row);
 }
 
 BOOST_AUTO_TEST_CASE(a_removed_disk_is_met_no_more) {
@@ -228,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_disk_leaves_its_cell_when_and_where_it_should) {
         continue;
       }
       // It is well inside the next cell when it leaves; it may have been outside of the other two sides before.
-      const Place next = f.cells.locate(out.x, out.y);
+      const Place next = cell_at(f.cells, out.x, out.y);
       const Index columns = next.column - f.places[i].column, rows = next.row - f.places[i].row;
       const bool sideways = exit.side == Side::left || exit.side == Side::right;
       BOOST_TEST((sideways ? columns : rows) == (exit.side == Side::right || exit.side == Side::upper ? 1 : -1));
@@ -240,7 +252,8 @@ BOOST_AUTO_TEST_CASE(a_disk_leaves_its_cell_when_and_where_it_should) {
 BOOST_AUTO_TEST_CASE(disks_whose_cells_are_no_neighbours_do_not_touch_before_one_leaves) {
   for (const Scene& scene : scenes())
     for (const double per_cell : {0.5, 1.0, 5.0}) {
-      const Filled f(scene, per_cell);
+      Filled f(scene, per_cell);
+      f.turn();
       std::size_t asked = 0;
       double nearest = never;
       for (std::size_t i = 0; i < f.flights.size(); ++i)
@@ -268,6 +281,25 @@ BOOST_AUTO_TEST_CASE(disks_whose_cells_are_no_neighbours_do_not_touch_before_one
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_disk_that_begins_a_flight_is_put_where_it_stays_longest) {
+  for (const Scene& scene : scenes())
+    for (const double per_cell : {0.5, 1.0, 5.0}) {
+      Filled f(scene, per_cell);
+      std::size_t longer = 0;
+      for (std::size_t i = 0; i < f.flights.size(); ++i) {
+        const Flight& a = f.flights[i];
+        const double there = f.cells.exit(f.places[i], a).time, here = f.cells.exit(cell_at(f.cells, a.x, a.y), a).time;
+        BOOST_TEST(there >= here);
+        longer += there > here ? 1 : 0;
+      }
+      if (scene.area_fraction() < 0.2) BOOST_TEST(longer > f.flights.size() / 10);
+      // It was moved to its place, and is nowhere else: when all are taken out of their places, nobody is left.
+      f.turn();
+      for (Index i = 0; i < scene.particles; ++i) f.cells.remove(f.places[static_cast<std::size_t>(i)], i);
+      for (Index i = 0; i < scene.particles; ++i) BOOST_REQUIRE(f.met(i, Block::all).empty());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_disk_at_rest_never_leaves) {
   Filled f(test::gas(50, 0.1), 1);
   const Cells::Exit exit = f.cells.exit(f.places[0], {f.flights[0].x, f.flights[0].y, 0, 0, 0});
@@ -277,12 +309,12 @@ BOOST_AUTO_TEST_CASE(a_disk_at_rest_never_leaves) {
 BOOST_AUTO_TEST_CASE(beyond_its_last_side_a_disk_leaves_at_once) {
   // Round-off may put a disk a hair outside its cell: it leaves now, not in the past.
   Filled f(test::gas(50, 0.1), 1);
-  const Place corner = f.cells.locate(0, 0);
+  const Place corner = cell_at(f.cells, 0, 0);
   BOOST_TEST(f.cells.exit(corner, {-1e-15, 0.01, -1, 0, 3}).time == 3);
   Filled c(test::channel(50, 0.1, 9.3), 1);
-  const Cells::Exit exit = c.cells.exit(c.cells.locate(0.1, c.lower), {0.1, c.lower - 1e-15, 0, -1, 3});
+  const Cells::Exit exit = c.cells.exit(cell_at(c.cells, 0.1, c.lower), {0.1, c.lower - 1e-15, 0, -1, 3});
   BOOST_TEST(exit.time == 3);
-  BOOST_TEST((exit.side == Side::lower && c.cells.is_wall(c.cells.locate(0.1, c.lower), exit.side)));
+  BOOST_TEST((exit.side == Side::lower && c.cells.is_wall(cell_at(c.cells, 0.1, c.lower), exit.side)));
 }
 
 BOOST_AUTO_TEST_CASE(crossing_shows_all_new_neighbours_and_shifts_by_a_period_exactly) {
