@@ -75,7 +75,7 @@ class GPF_LANES Engine {
   /// and .70 (N = 10^3) and in channels: 0.8 and 1.0 differ by less than noise, 1.25 is up to 6 % slower.
   static constexpr double best_disks_per_cell = 1;
   /// Cells shrink by the square of crowding(), which is right where nearly all collisions happen in waves or clumps
-  /// and leaves a gas as it is; by no more than this, for empty cells take memory too (32 bytes each).
+  /// and leaves a gas as it is; by no more than this, for empty cells take memory too (640 bytes per disk then).
   static constexpr double most_shrinking = 20;
   /// From so many disks on the loop waits for memory rather than for arithmetic, and it pays to fetch ahead: at N =
   /// 10^4 that makes it 1.3 to 1.4 times slower, at 10^5 1.2 to 1.6 times faster.

@@ -18,10 +18,10 @@ namespace gpf {
 /// bears GPF_LANES, a part of its symbol, as the library may be compiled for other registers than a program that uses
 /// it.
 #ifdef __AVX__
-inline constexpr unsigned lane_width = 4;
+constexpr unsigned lane_width = 4;
 #define GPF_LANES [[gnu::abi_tag("lanes4")]]
 #else
-inline constexpr unsigned lane_width = 2;
+constexpr unsigned lane_width = 2;
 #define GPF_LANES [[gnu::abi_tag("lanes2")]]
 #endif
 using Lane = double __attribute__((vector_size(lane_width * sizeof(double))));

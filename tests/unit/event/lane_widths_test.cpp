@@ -15,6 +15,7 @@ BOOST_AUTO_TEST_CASE(engines_of_two_lane_widths_live_in_one_program) {
   for (const Scene& scene : {test::gas(200, 0.4), test::channel(200, 0.4, 15)}) {
     const test::LanesTrace two = test::trace_in_lanes_of_2(scene), four = test::trace_in_lanes_of_4(scene);
     BOOST_TEST(two.hash == four.hash);
-    for (std::size_t i = 0; i < two.symbols.size(); ++i) BOOST_TEST(two.symbols[i] != four.symbols[i]);
+    for (std::size_t i = 0; i < two.types.size(); ++i) BOOST_TEST(two.types[i] != four.types[i]);
+    BOOST_TEST(two.function != four.function);
   }
 }

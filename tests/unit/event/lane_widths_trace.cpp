@@ -13,7 +13,8 @@ LanesTrace NAME_OF_THE_TRACE(const Scene& scene) {
   Engine<> engine(scene, start_state(scene));
   engine.advance(0.5);
   return {engine.trace_hash().value(),
-          {typeid(engine).name(), typeid(Cells).name(), typeid(Neighbourhood<true>).name(), typeid(Abreast).name()}};
+          {typeid(engine).name(), typeid(Cells).name(), typeid(Neighbourhood<true>).name(), typeid(Abreast).name()},
+          reinterpret_cast<std::uintptr_t>(&alike)};
 }
 
 }  // namespace gpf::test

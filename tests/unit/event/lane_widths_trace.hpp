@@ -11,7 +11,8 @@ namespace gpf::test {
 
 struct LanesTrace {
   std::uint64_t hash;
-  std::vector<std::string> symbols;  ///< of what is made of lanes
+  std::vector<std::string> types;  ///< of what is made of lanes
+  std::uintptr_t function;         ///< one that returns a lane, whose type is no part of its symbol
 };
 
 LanesTrace trace_in_lanes_of_2(const Scene& scene);
