@@ -32,25 +32,29 @@ std::string missing_table_remedy(std::string_view table) {
                           : "add [run] with collisions_per_particle = 1000, or with a duration";
 }
 
+/// The first, with the others below it, a line each.
+InputError together(const std::vector<InputError>& mistakes) {
+  std::string remedy = mistakes.front().remedy();
+  for (std::size_t k = 1; k < mistakes.size(); ++k) remedy += fmt::format("\n{}", mistakes[k].what());
+  return {mistakes.front().problem(), mistakes.front().why(), remedy};
+}
+
 }  // namespace
 
 KeyValues::KeyValues(std::string_view text, std::string_view name) : name_(name) {
-  for (const TomlEntry& entry : read_toml(text, name)) {
-    const bool known = std::find(tables.begin(), tables.end(), entry.key) != tables.end();
-    if (!known) {
-      const SceneKey* key = find_key(entry.key);
-      throw error_at(name_, entry.position, fmt::format("unknown table or key {}", quoted(entry.key)),
-                     "a scene file holds the tables [scene] and [run]",
-                     key != nullptr ? fmt::format("move it below [{}]", key->table)
-                                    : fmt::format("did you mean [{}]?", nearest_word(entry.key, tables)));
+  std::vector<InputError> mistakes;
+  const auto note = [&mistakes](const auto& read) {
+    try {
+      read();
+    } catch (const InputError& mistake) {
+      mistakes.push_back(mistake);
     }
-    const auto* table = std::get_if<TomlTable>(&entry.value.data);
-    if (table == nullptr)
-      throw error_at(name_, entry.position, fmt::format("'{}' is {}", entry.key, kind_of(entry.value)),
-                     "it must be a table of keys", fmt::format("write [{}] on a line of its own", entry.key));
-    tables_.emplace(entry.key, entry.position);
-    read_table(entry.key, *table);
-  }
+  };
+  for (const TomlEntry& entry : read_toml(text, name))
+    note([&] {
+      for (const TomlEntry& given : table_of(entry)) note([&] { read_key(entry.key, given); });
+    });
+  if (!mistakes.empty()) throw together(mistakes);
   for (const std::string_view table : tables)
     if (!tables_.contains(table))
       throw error_at(name_, {}, fmt::format("the table [{}] is missing", table),
@@ -58,16 +62,31 @@ KeyValues::KeyValues(std::string_view text, std::string_view name) : name_(name)
                      missing_table_remedy(table));
 }
 
-void KeyValues::read_table(std::string_view table, const TomlTable& entries) {
-  for (const TomlEntry& entry : entries) {
+const TomlTable& KeyValues::table_of(const TomlEntry& entry) {
+  const bool known = std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+  if (!known) {
     const SceneKey* key = find_key(entry.key);
-    if (key == nullptr || key->table != table)
-      throw error_at(name_, entry.position, fmt::format("unknown key {} in [{}]", quoted(entry.key), table),
-                     key != nullptr ? fmt::format("it belongs to [{}]", key->table) : "gpf run --help lists all keys",
-                     key != nullptr ? fmt::format("move it below [{}]", key->table)
-                                    : fmt::format("did you mean '{}'?", nearest_key(table, entry.key)));
-    given_.emplace(entry.key, Given{entry.position, checked(*key, entry.value)});
+    throw error_at(name_, entry.position, fmt::format("unknown table or key {}", quoted(entry.key)),
+                   "a scene file holds the tables [scene] and [run]",
+                   key != nullptr ? fmt::format("move it below [{}]", key->table)
+                                  : fmt::format("did you mean [{}]?", nearest_word(entry.key, tables)));
   }
+  tables_.emplace(entry.key, entry.position);
+  const auto* table = std::get_if<TomlTable>(&entry.value.data);
+  if (table == nullptr)
+    throw error_at(name_, entry.position, fmt::format("'{}' is {}", entry.key, kind_of(entry.value)),
+                   "it must be a table of keys", fmt::format("write [{}] on a line of its own", entry.key));
+  return *table;
+}
+
+void KeyValues::read_key(std::string_view table, const TomlEntry& entry) {
+  const SceneKey* key = find_key(entry.key);
+  if (key == nullptr || key->table != table)
+    throw error_at(name_, entry.position, fmt::format("unknown key {} in [{}]", quoted(entry.key), table),
+                   key != nullptr ? fmt::format("it belongs to [{}]", key->table) : "gpf run --help lists all keys",
+                   key != nullptr ? fmt::format("move it below [{}]", key->table)
+                                  : fmt::format("did you mean '{}'?", nearest_key(table, entry.key)));
+  given_.emplace(entry.key, Given{entry.position, checked(*key, entry.value)});
 }
 
 KeyValues::Value KeyValues::checked(const SceneKey& key, const TomlValue& value) const {

@@ -22,7 +22,7 @@ class KeyValues {
  public:
   /// Reads TOML `text`; `name` stands for it in messages. Throws InputError, with name:line:column, on text that is not
   /// TOML, an unknown table or key, a wrong type, a number that is not finite or out of the key's range, a missing
-  /// table.
+  /// table; of several mistakes in tables and keys with all, a line each.
   KeyValues(std::string_view text, std::string_view name);
 
   [[nodiscard]] bool has(std::string_view key) const { return given_.contains(key); }
@@ -57,7 +57,8 @@ class KeyValues {
     return found == given_.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second.value));
   }
 
-  void read_table(std::string_view table, const TomlTable& entries);
+  [[nodiscard]] const TomlTable& table_of(const TomlEntry& entry);
+  void read_key(std::string_view table, const TomlEntry& entry);
   [[nodiscard]] Value checked(const SceneKey& key, const TomlValue& value) const;
   [[nodiscard]] std::vector<double> checked_ascending(const SceneKey& key, const TomlValue& value) const;
   [[nodiscard]] double number(const SceneKey& key, const TomlValue& value) const;

@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
+#include <string>
+#include <string_view>
 
 #include "scene_text.hpp"
 
@@ -156,6 +159,27 @@ BOOST_AUTO_TEST_CASE(unknown_tables_and_misplaced_keys_are_refused) {
                 {"unknown key 'partciles'", "did you mean 'particles'?"});
   check_refused(with(channel_text, "particles", R"("a\nb")"), "3:1", {"unknown key 'a?b'"});
   check_refused(with(channel_text, "particles", "particles.x"), "3:1", {"particles is a table"});
+}
+
+BOOST_AUTO_TEST_CASE(all_mistakes_in_keys_are_named_a_line_each) {
+  const std::string text =
+      "[scene]\ngeometry = \"chanel\"\nparticles = -5\npartciles = 5\n[runs]\n[run]\nduration = \"1\"\n";
+  try {
+    static_cast<void>(parse_scene(text, "two.toml"));
+    BOOST_ERROR("accepted");
+  } catch (const InputError& error) {
+    std::istringstream lines(error.what());
+    std::string line;
+    for (const std::string_view wanted :
+         {"two.toml:2:12: geometry = 'chanel' is unknown", "two.toml:3:13: particles = -5 is out of range",
+          "two.toml:4:1: unknown key 'partciles'", "two.toml:5:2: unknown table or key 'runs'",
+          "two.toml:7:12: duration is a string"}) {
+      BOOST_REQUIRE(std::getline(lines, line));
+      BOOST_TEST(line.starts_with(wanted), line);
+      BOOST_TEST(line.find("): ") != std::string::npos, line);
+    }
+    BOOST_TEST(!std::getline(lines, line));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(missing_tables_are_refused) {
