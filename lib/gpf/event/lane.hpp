@@ -14,9 +14,9 @@
 
 namespace gpf {
 
-/// As many as the widest register holds: compilers take what is wider apart number by number. Whatever is made of lanes
-/// bears GPF_LANES, a part of its symbol, as the library may be compiled for other registers than a program that uses
-/// it.
+/// As many as the widest register holds: compilers take what is wider apart number by number. What is made of lanes and
+/// does not name them in its symbol bears GPF_LANES, which does: a program may be compiled for other registers than the
+/// library that it uses.
 #ifdef __AVX__
 constexpr unsigned lane_width = 4;
 #define GPF_LANES [[gnu::abi_tag("lanes4")]]
