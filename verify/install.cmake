@@ -11,6 +11,15 @@ add_custom_command(OUTPUT ${pages}/bash/gpf
   DEPENDS gpf ${claims} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} VERBATIM)
 add_custom_target(gpf_pages ALL DEPENDS ${pages}/bash/gpf)
 
+if(TARGET gpf_simulate_x86-64-v3)
+  file(RELATIVE_PATH levels_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/gpf)
+  set_target_properties(gpf PROPERTIES INSTALL_RPATH "$ORIGIN/${levels_from_program}")
+  install(TARGETS gpf_simulate LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gpf COMPONENT program)
+  foreach(level IN ITEMS x86-64-v3 x86-64-v4)
+    install(TARGETS gpf_simulate_${level} COMPONENT program
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gpf/glibc-hwcaps/${level})
+  endforeach()
+endif()
 install(TARGETS gpf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/reference/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gpf/reference COMPONENT program)
 install(DIRECTORY ${pages}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)

@@ -21,6 +21,11 @@ ok "two packages: $(du -sk "$program" | cut -f 1) kB and $(du -sk "$development"
 depends=$(dpkg-deb -f "$program" Depends | tr ',|' '\n\n' | sed 's/^ *//; s/[ :].*//')
 ldd program/usr/bin/gpf > libraries
 for library in $(readelf -d program/usr/bin/gpf | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'); do
+  case $library in
+    libgpf_*) awk -v name="$library" '$1 == name { print $3 }' libraries | grep -q "^$work/program/usr/" ||
+                fail "$library is not the package's own"
+              continue ;;
+  esac
   # Its last folder and its name: /lib and /usr/lib may be one.
   path=$(awk -v name="$library" '$1 == name { print $3 }' libraries | sed 's,.*\(/[^/]*/[^/]*\)$,\1,')
   owner=$(dpkg-query -S "*$path" | head -n 1 | sed 's/:.*//')
