@@ -22,9 +22,12 @@ depends=$(dpkg-deb -f "$program" Depends | tr ',|' '\n\n' | sed 's/^ *//; s/[ :]
 ldd program/usr/bin/gpf > libraries
 for library in $(readelf -d program/usr/bin/gpf | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'); do
   case $library in
-    libgpf_*) awk -v name="$library" '$1 == name { print $3 }' libraries | grep -q "^$work/program/usr/" ||
-                fail "$library is not the package's own"
-              continue ;;
+    libgpf_simulate.so)  # the package's own, for the best level of this processor
+      best=$("$(readelf -l program/usr/bin/gpf | sed -n 's/.*interpreter: \(.*\)]/\1/p')" --help |
+        sed -n 's,^ *\(x86-64-v[34]\) (supported.*,glibc-hwcaps/\1/,p' | head -n 1)
+      awk -v name="$library" '$1 == name { print $3 }' libraries | grep -q "^$work/program/usr/.*/gpf/$best$library\$" ||
+        fail "not the package's own $best$library: $(grep "$library" libraries)"
+      continue ;;
   esac
   # Its last folder and its name: /lib and /usr/lib may be one.
   path=$(awk -v name="$library" '$1 == name { print $3 }' libraries | sed 's,.*\(/[^/]*/[^/]*\)$,\1,')
