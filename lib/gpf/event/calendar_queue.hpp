@@ -36,7 +36,8 @@ class BasicCalendarQueue {
     mask_ = static_cast<std::int64_t>(near_days) - 1;
     week_bits_ = std::countr_zero(near_days) - 1;
     first_slot_ = static_cast<Index>(2 * count);
-    today_ = foreseen_ = 0;
+    today_ = foreseen_ = named_ = 0;
+    days_ahead_ = 12;
     last_ = day(horizon);
     near_end_ = static_cast<std::int64_t>(near_days);
     open_day_ = near_end_ / 2;
@@ -84,15 +85,20 @@ class BasicCalendarQueue {
     return std::bit_cast<double>(links_[2 * static_cast<std::size_t>(i) + 1]);
   }
 
-  /// Names disks whose events are coming (and some others), each to the four stages in turn, so that what they need can
-  /// be fetched from memory meanwhile; stage(number, i).
-  template <class Stage>
-  void foresee(Stage&& stage) {
-    for (; foreseen_ < today_; ++foreseen_) {
-      fetch(&at(at(slot(foreseen_ + 16)).next));
-      for (int number = 0; number < 4; ++number) {
-        const Index head = slot(foreseen_ + 12 - std::int64_t{3} * number);
-        for (Index entry = at(head).next; entry != head; entry = at(entry).next) stage(number, entry / 2);
+  /// Names the disks whose events are coming, each once and some twelve events ahead, so that what they need can be
+  /// fetched from memory meanwhile; coming(i).
+  template <class Coming>
+  void foresee(Coming&& coming) {
+    while (foreseen_ < today_ + days_ahead_) {
+      fetch(&at(at(slot(foreseen_ + 4)).next));
+      const Index head = slot(foreseen_);
+      for (Index entry = at(head).next; entry != head; entry = at(entry).next) {
+        coming(entry / 2);
+        ++named_;
+      }
+      if (++foreseen_ % days_counted == 0) [[unlikely]] {
+        days_ahead_ = 12 * days_counted / std::clamp(named_, days_counted / 8, days_counted * 2);
+        named_ = 0;
       }
     }
   }
@@ -127,6 +133,7 @@ class BasicCalendarQueue {
   static constexpr Index none = -1;
   static constexpr std::size_t many = 50'000;
   static constexpr std::int64_t most_sheaves = 4096;
+  static constexpr std::int64_t days_counted = 1024;  ///< to know how many events a day has: a guess at first
 
   [[nodiscard]] std::int64_t day(double time) const { return static_cast<std::int64_t>(time * days_per_time_); }
   [[nodiscard]] Index slot(std::int64_t day) const { return first_slot_ + static_cast<Index>(day & mask_); }
@@ -190,7 +197,8 @@ class BasicCalendarQueue {
   }
 
   double horizon_ = 0, days_per_time_ = 1;
-  std::int64_t mask_ = 0, today_ = 0, last_ = 0, near_end_ = 0, open_day_ = 0, foreseen_ = 0;
+  std::int64_t mask_ = 0, today_ = 0, last_ = 0, near_end_ = 0, open_day_ = 0;
+  std::int64_t foreseen_ = 0, days_ahead_ = 0, named_ = 0;  // the day up to which disks are named; since days_counted
   int week_bits_ = 0;
   Index first_slot_ = 0;
   std::vector<Link, HugePages<Link>> links_;  // entries and times of the disks, then heads of the near days

@@ -89,6 +89,14 @@ class GPF_LANES Engine {
     Side side = Side::left;  ///< of the exit
   };
 
+  /// An event that is coming, and where it will look.
+  struct Coming {
+    Index disk = 0, partner = 0;
+    Place place;
+    Block block = Block::all;
+    bool touches = false;  ///< so that its partner will look, too
+  };
+
   Disk& disk(Index i) { return disks_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Disk& disk(Index i) const { return disks_[static_cast<std::size_t>(i)]; }
   Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
@@ -136,6 +144,8 @@ class GPF_LANES Engine {
   Queue queue_;
   std::vector<Disk, HugePages<Disk>> disks_;  // in the order of cells; the last is nobody
   std::vector<Plan, HugePages<Plan>> plans_;
+  std::array<Coming, 8> coming_;  // the last that were named, of named_
+  std::uint32_t named_ = 0;
   std::int64_t epoch_ = 0;
   double now_ = 0;  // within the epoch
   double frame_velocity_ = 0, frame_offset_ = 0;
@@ -307,40 +317,47 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
   return {f.x + grid_.round(f.vx * lapse), f.y + grid_.round(f.vy * lapse), f.vx, f.vy, t};
 }
 
-/// Asks for the memory that the coming events will read: it takes longer to come than many events last.
+/// Asks for the memory that the coming events will read: it takes longer to come than many events last. Each event goes
+/// through four stages, two events from one to the next. Nothing is repeated an unknown number of times, and little is
+/// done or not: guesses that are wrong would cost more than all of this.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::foresee() {
-  queue_.foresee([this](int stage, Index i) {
-    if (stage == 0) {
-      fetch(&disk(i));
-      fetch(&plan(i));
-      return queue_.fetch_links(i);
+  queue_.foresee([this](Index i) {
+    const auto named = [this](std::uint32_t events_ago) -> Coming& {
+      return coming_[(named_ - events_ago) % coming_.size()];
+    };
+    ++named_;
+    named(0).disk = i;
+    fetch(&disk(i));
+    fetch(&plan(i));
+    queue_.fetch_links(i);
+
+    Coming& first = named(2);
+    const Disk& mine = disk(first.disk);
+    const Plan& its = plan(first.disk);
+    const Index partner = std::max(mine.partner, 0);  // who tells whether that contact is stale
+    first.touches = its.exit >= mine.contact;
+    const bool crosses = !first.touches && !exits_to_wall(first.disk);
+    const Place beyond = cells_.beyond(its.place, its.side).place;
+    first.place = crosses ? beyond : its.place;
+    first.block = crosses ? ahead(its.side) : Block::all;
+    first.partner = first.touches ? partner : first.disk;
+    cells_.fetch_cells(first.place, first.block);
+    cells_.fetch_cell(its.place);
+    fetch(&disk(partner));
+    fetch(&plan(first.partner));
+    queue_.fetch_entry(first.partner);
+
+    Coming& second = named(4);
+    cells_.fetch_disks(second.place, second.block, disks_.data());
+    if (second.touches) {
+      second.place = plan(second.partner).place;
+      cells_.fetch_cells(second.place, Block::all);
+      queue_.fetch_links(second.partner);
     }
-    const bool crosses = plan(i).exit < disk(i).contact && !exits_to_wall(i),
-               collides = plan(i).exit >= disk(i).contact;
-    const Place place = crosses ? cells_.beyond(plan(i).place, plan(i).side).place : plan(i).place;
-    const Block block = crosses ? ahead(plan(i).side) : Block::all;
-    const Index partner = disk(i).partner;
-    if (stage == 1) {
-      cells_.fetch_cells(place, block);
-      if (crosses) {
-        fetch(&disk(std::max(partner, 0)));  // that contact may be stale
-        cells_.fetch_cell(plan(i).place);
-        cells_.fetch_cell(place);
-      }
-      if (collides) {
-        fetch(&plan(partner));
-        queue_.fetch_entry(partner);
-      }
-    } else if (stage == 2) {
-      cells_.fetch_disks(place, block, disks_.data());
-      if (collides) {
-        cells_.fetch_cells(plan(partner).place, Block::all);
-        queue_.fetch_links(partner);
-      }
-    } else if (collides) {
-      cells_.fetch_disks(plan(partner).place, Block::all, disks_.data());
-    }
+
+    const Coming& third = named(6);
+    if (third.touches) cells_.fetch_disks(third.place, Block::all, disks_.data());
   });
 }
 

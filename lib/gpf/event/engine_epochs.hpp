@@ -63,6 +63,7 @@ void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
   events_before_ = counts_.examined();
   settle(flights);
   queue_.reset(plans_.size(), epoch_length_, events_per_time_);
+  coming_ = {};
   for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) look<true>(std::array{i}, Block::all);
 }
 

@@ -41,8 +41,8 @@ class BasicHeapQueue {
   [[nodiscard]] double time(Index i) const { return time_[slot(i)]; }
 
   /// Foresees nothing: what comes after the earliest is not in order here.
-  template <class Stage>
-  void foresee(Stage&&) const {}
+  template <class Coming>
+  void foresee(Coming&&) const {}
   void fetch_entry(Index) const {}
   void fetch_links(Index) const {}
 

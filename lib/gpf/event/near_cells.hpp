@@ -23,8 +23,8 @@ struct NearCells {
     Vec2 shift;
   };
   std::size_t count = 0;
-  bool shifted = false;  ///< some of them lie round a period
-  std::array<Cell, 9> cells{};
+  bool shifted = false;         ///< some of them lie round a period
+  std::array<Cell, 9> cells{};  ///< from count on: the cell in the middle
 };
 
 /// The blocks of any cell of a grid. Those of the first, an inner and the last row and column are all that there are.

@@ -40,24 +40,27 @@ BOOST_AUTO_TEST_CASE(lets_the_caller_order_equal_times) {
 
 BOOST_AUTO_TEST_CASE(is_empty_after_a_reset) { test::queue_is_empty_after_a_reset<CalendarQueue>(); }
 
-BOOST_AUTO_TEST_CASE(foresees_each_event_from_far_to_near_before_it_comes) {
-  // A thousand disks, an event each, evenly spread over as many days: after the first few days every one is named four
-  // times, stage by stage, before it is the earliest.
-  constexpr Index count = 1000;
-  CalendarQueue queue;
-  queue.reset(count, 1, count);
-  for (Index i = 0; i < count; ++i) queue.schedule(i, (i + 0.5) / count);
-  std::vector<int> named(count, 0);
-  const auto name = [&named](int stage, Index i) {
-    auto& known = named[static_cast<std::size_t>(i)];
-    if (known == stage) ++known;
-  };
-  for (Index i = 0; i < count; ++i) {
-    BOOST_REQUIRE(test::earliest(queue) == i);
-    queue.foresee(name);
-    queue.fetch_links(i);
-    if (i > 50) BOOST_REQUIRE(named[static_cast<std::size_t>(i)] == 4);
-    queue.schedule(i, never);
+BOOST_AUTO_TEST_CASE(names_each_event_once_some_events_before_it_comes) {
+  // Disks with an event each, evenly spread, however wrong the guess of how many events a day has.
+  constexpr Index count = 8000;
+  for (const double events_per_day : {0.25, 1.0, 2.0}) {
+    CalendarQueue queue;
+    queue.reset(count, 1, count / events_per_day);
+    for (Index i = 0; i < count; ++i) queue.schedule(i, (i + 0.5) / count);
+    std::vector<int> named(count, 0);
+    Index last = 0;
+    const auto name = [&](Index i) {
+      ++named[static_cast<std::size_t>(i)];
+      last = std::max(last, i);
+    };
+    for (Index i = 0; i < count; ++i) {
+      BOOST_REQUIRE(test::earliest(queue) == i);
+      queue.foresee(name);
+      queue.fetch_links(i);
+      BOOST_REQUIRE(named[static_cast<std::size_t>(i)] == 1);
+      if (i > 2100 && i < count - 20) BOOST_REQUIRE((last - i >= 10 && last - i <= 14));
+      queue.schedule(i, never);
+    }
   }
 }
 
