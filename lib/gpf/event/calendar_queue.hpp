@@ -198,7 +198,7 @@ class BasicCalendarQueue {
 
   double horizon_ = 0, days_per_time_ = 1;
   std::int64_t mask_ = 0, today_ = 0, last_ = 0, near_end_ = 0, open_day_ = 0;
-  std::int64_t foreseen_ = 0, days_ahead_ = 0, named_ = 0;  // the day up to which disks are named; since days_counted
+  std::int64_t foreseen_ = 0, days_ahead_ = 0, named_ = 0;  // days before it have been named; disks since a count
   int week_bits_ = 0;
   Index first_slot_ = 0;
   std::vector<Link, HugePages<Link>> links_;  // entries and times of the disks, then heads of the near days
