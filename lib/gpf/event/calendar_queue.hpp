@@ -14,6 +14,7 @@
 #include "gpf/event/disk.hpp"
 #include "gpf/event/fetch.hpp"
 #include "gpf/event/huge_pages.hpp"
+#include "gpf/event/plan.hpp"
 #include "gpf/event/queue_meter.hpp"
 
 namespace gpf {
@@ -31,19 +32,20 @@ class BasicCalendarQueue {
     horizon_ = horizon;
     days_per_time_ = std::min(events_per_time, 0x1p40 / horizon);
     // Of few disks nearly all events are near; of many, the heads of the near days should stay in near memory.
-    const std::size_t days = count < many ? std::max(2 * count, std::min<std::size_t>(8 * count, 8192)) : 16384;
+    const std::size_t days = count < many ? std::max(2 * count, std::min<std::size_t>(8 * count, 8192)) : 4096;
     const std::size_t near_days = std::bit_ceil(std::max<std::size_t>(days, 64));
     mask_ = static_cast<std::int64_t>(near_days) - 1;
     week_bits_ = std::countr_zero(near_days) - 1;
-    first_slot_ = static_cast<Index>(2 * count);
+    first_slot_ = link_of(static_cast<Index>(count));
     today_ = foreseen_ = named_ = 0;
     days_ahead_ = 12;
     last_ = day(horizon);
     near_end_ = static_cast<std::int64_t>(near_days);
     open_day_ = near_end_ / 2;
-    links_.resize(2 * count + near_days);
-    for (std::size_t k = 0; k < links_.size(); ++k) links_[k] = {static_cast<Index>(k), static_cast<Index>(k)};
-    for (std::size_t i = 0; i < count; ++i) links_[2 * i + 1] = std::bit_cast<Link>(never);
+    memory_.resize(count + near_days * sizeof(Link) / sizeof(Entry));
+    for (Index i = 0; i < static_cast<Index>(count); ++i) entry(i) = {{link_of(i), link_of(i)}, never, {}};
+    Link* const heads = &at(first_slot_);
+    for (Index k = 0; k < static_cast<Index>(near_days); ++k) heads[k] = {first_slot_ + k, first_slot_ + k};
     const std::int64_t weeks = std::min((last_ >> week_bits_) + 1, most_sheaves);
     sheaves_.assign(std::bit_ceil(static_cast<std::size_t>(weeks)), {});
     chunks_.clear();
@@ -51,8 +53,8 @@ class BasicCalendarQueue {
   }
 
   void schedule(Index i, double time) {
-    unlink(2 * i);
-    at(2 * i + 1) = std::bit_cast<Link>(time);
+    unlink(link_of(i));
+    entry(i).time = time;
     put(i, time);
   }
 
@@ -67,9 +69,9 @@ class BasicCalendarQueue {
       Index best = -1;
       double best_time = never;
       Meter::step();
-      for (Index entry = at(head).next; entry != head; entry = at(entry).next) {
+      for (Index link = at(head).next; link != head; link = at(link).next) {
         Meter::step();
-        const Index i = entry / 2;
+        const Index i = disk_of(link);
         if (time(i) < best_time || (time(i) == best_time && best >= 0 && first(i, best))) {
           best = i;
           best_time = time(i);
@@ -81,9 +83,9 @@ class BasicCalendarQueue {
     return -1;
   }
 
-  [[nodiscard]] double time(Index i) const {
-    return std::bit_cast<double>(links_[2 * static_cast<std::size_t>(i) + 1]);
-  }
+  [[nodiscard]] double time(Index i) const { return entry(i).time; }
+  Plan& plan(Index i) { return entry(i).plan; }
+  [[nodiscard]] const Plan& plan(Index i) const { return entry(i).plan; }
 
   /// Names the disks whose events are coming, each once and some twelve events ahead, so that what they need can be
   /// fetched from memory meanwhile; coming(i).
@@ -92,8 +94,8 @@ class BasicCalendarQueue {
     while (foreseen_ < today_ + days_ahead_) {
       fetch(&at(at(slot(foreseen_ + 4)).next));
       const Index head = slot(foreseen_);
-      for (Index entry = at(head).next; entry != head; entry = at(entry).next) {
-        coming(entry / 2);
+      for (Index link = at(head).next; link != head; link = at(link).next) {
+        coming(disk_of(link));
         ++named_;
       }
       if (++foreseen_ % days_counted == 0) [[unlikely]] {
@@ -102,33 +104,43 @@ class BasicCalendarQueue {
       }
     }
   }
-  void fetch_entry(Index i) { fetch(&at(2 * i)); }
+  /// Fetches the time and the plan of disk i.
+  void fetch_entry(Index i) const { fetch(&entry(i)); }
   /// Fetches what the entry of disk i is linked to.
   void fetch_links(Index i) {
-    fetch(&at(at(2 * i).next));
-    fetch(&at(at(2 * i).previous));
+    fetch(&at(entry(i).link.next));
+    fetch(&at(entry(i).link.previous));
   }
 
  private:
-  /// The entries of a day's disks and its head form a ring; an entry that is in no day is a ring of its own. Rings are
-  /// linked and unlinked without a branch. The entry of disk i is link 2 i; its time lies beside it, in the place of
-  /// link 2 i + 1.
+  /// The links of a day's disks and its head form a ring; one that is in no day is a ring of its own. Rings are linked
+  /// and unlinked without a branch: they name links by their place in memory, whether these are parts of an entry or
+  /// the heads of the near days, which lie close together behind all entries, for they should stay in near memory.
   struct Link {
     Index next, previous;
   };
+  /// Of a disk: half a line.
+  struct alignas(32) Entry {
+    Link link;
+    double time;
+    Plan plan;
+  };
+  struct alignas(Entry) Storage {
+    std::array<std::byte, sizeof(Entry)> bytes;
+  };
   /// Part of a sheaf: disks, and the times by which they are known to be scheduled still.
   struct Chunk {
-    struct Entry {
+    struct Item {
       double time;
       Index disk;
     };
     static constexpr std::uint32_t room = 31;
-    std::array<Entry, room> entries;
+    std::array<Item, room> items;
     Index next;
   };
   struct Sheaf {
     Index chunk = none;                 ///< the one that is being filled; those behind it are full
-    std::uint32_t count = Chunk::room;  ///< of entries in it
+    std::uint32_t count = Chunk::room;  ///< of items in it
   };
   static constexpr Index none = -1;
   static constexpr std::size_t many = 50'000;
@@ -137,7 +149,14 @@ class BasicCalendarQueue {
 
   [[nodiscard]] std::int64_t day(double time) const { return static_cast<std::int64_t>(time * days_per_time_); }
   [[nodiscard]] Index slot(std::int64_t day) const { return first_slot_ + static_cast<Index>(day & mask_); }
-  Link& at(Index i) { return links_[static_cast<std::size_t>(i)]; }
+  static Index link_of(Index disk) { return disk * static_cast<Index>(sizeof(Entry) / sizeof(Link)); }
+  static Index disk_of(Index link) { return link / static_cast<Index>(sizeof(Entry) / sizeof(Link)); }
+  [[nodiscard]] std::byte* address(Index i, std::size_t size) {
+    return memory_.data()->bytes.data() + static_cast<std::size_t>(i) * size;
+  }
+  Entry& entry(Index disk) { return *reinterpret_cast<Entry*>(address(disk, sizeof(Entry))); }
+  Link& at(Index link) { return *reinterpret_cast<Link*>(address(link, sizeof(Link))); }
+  [[nodiscard]] const Entry& entry(Index disk) const { return const_cast<BasicCalendarQueue*>(this)->entry(disk); }
   Chunk& chunk_at(Index i) { return chunks_[static_cast<std::size_t>(i)]; }
   /// Of the week of a day. Weeks share a sheaf when there are very many.
   Sheaf& sheaf(std::int64_t day) {
@@ -148,22 +167,22 @@ class BasicCalendarQueue {
     if (time > horizon_) return;
     const std::int64_t its_day = std::max(day(time), today_);
     if (its_day < near_end_)
-      link(2 * i, slot(its_day));
+      link(link_of(i), slot(its_day));
     else
       lay_up(i, time, sheaf(its_day));
   }
 
-  void unlink(Index entry) {
-    const Link link = at(entry);
+  void unlink(Index i) {
+    const Link link = at(i);
     at(link.next).previous = link.previous;
     at(link.previous).next = link.next;
-    at(entry) = {entry, entry};
+    at(i) = {i, i};
   }
-  void link(Index entry, Index head) {
+  void link(Index i, Index head) {
     const Index next = at(head).next;
-    at(entry) = {next, head};
-    at(next).previous = entry;
-    at(head).next = entry;
+    at(i) = {next, head};
+    at(next).previous = i;
+    at(head).next = i;
   }
 
   [[gnu::noinline]] void lay_up(Index i, double time, Sheaf& sheaf) {
@@ -176,24 +195,34 @@ class BasicCalendarQueue {
       chunk_at(chunk).next = std::exchange(sheaf.chunk, chunk);
       sheaf.count = 0;
     }
-    chunk_at(sheaf.chunk).entries[sheaf.count++] = {time, i};
+    chunk_at(sheaf.chunk).items[sheaf.count++] = {time, i};
   }
 
-  /// With the first day of a week the next one comes near.
+  /// With the first day of a week the next one comes near. Its chunks are fetched two ahead, and their disks one ahead.
   [[gnu::noinline]] void open_sheaf() {
     Sheaf open = std::exchange(sheaf(near_end_), {});
     open_day_ += (mask_ + 1) / 2;
     near_end_ += (mask_ + 1) / 2;
+    fetch_disks(open.chunk, open.count);
     for (; open.chunk != none; open.count = Chunk::room) {
-      const Chunk chunk = chunk_at(open.chunk);
-      chunk_at(open.chunk).next = std::exchange(free_chunk_, open.chunk);
-      open.chunk = chunk.next;
-      for (std::uint32_t k = 0; k < open.count; ++k) fetch(&at(2 * chunk.entries[k].disk));
+      const Index next = chunk_at(open.chunk).next;
+      fetch_disks(next, Chunk::room);
       for (std::uint32_t k = 0; k < open.count; ++k) {
-        const auto& [time, i] = chunk.entries[k];
-        if (this->time(i) == time && at(2 * i).next == 2 * i) put(i, time);
+        const auto [time, i] = chunk_at(open.chunk).items[k];
+        if (this->time(i) == time && entry(i).link.next == link_of(i)) put(i, time);
       }
+      chunk_at(open.chunk).next = std::exchange(free_chunk_, open.chunk);
+      open.chunk = next;
     }
+  }
+  /// Fetches the entries that the first items of a chunk name, and the chunk after it.
+  void fetch_disks(Index chunk, std::uint32_t items) {
+    if (chunk == none) return;
+    for (std::uint32_t k = 0; k < items; ++k) fetch_entry(chunk_at(chunk).items[k].disk);
+    const Index next = chunk_at(chunk).next;
+    if (next == none) return;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&chunk_at(next));
+    for (std::size_t at = 0; at < sizeof(Chunk); at += 64) fetch(bytes + at);
   }
 
   double horizon_ = 0, days_per_time_ = 1;
@@ -201,7 +230,7 @@ class BasicCalendarQueue {
   std::int64_t foreseen_ = 0, days_ahead_ = 0, named_ = 0;  // days before it have been named; disks since a count
   int week_bits_ = 0;
   Index first_slot_ = 0;
-  std::vector<Link, HugePages<Link>> links_;  // entries and times of the disks, then heads of the near days
+  std::vector<Storage, HugePages<Storage>> memory_;  // of the entries, then of the heads
   std::vector<Sheaf> sheaves_;
   std::vector<Chunk, HugePages<Chunk>> chunks_;
   Index free_chunk_ = none;

@@ -16,18 +16,12 @@
 #include "gpf/event/lane.hpp"
 #include "gpf/event/near_cells.hpp"
 #include "gpf/event/neighbourhood.hpp"
+#include "gpf/event/place.hpp"
 #include "gpf/scene/scene.hpp"
 
 namespace gpf {
 
-/// Side of a cell through which a disk leaves, as Cells::exit() numbers them.
-enum class Side : std::uint8_t { left, right, lower, upper };
 constexpr Block ahead(Side side) { return static_cast<Block>(side); }
-
-/// A cell, by column and row.
-struct Place {
-  Index column = 0, row = 0;
-};
 
 /// Rows run along x. In a channel the outermost sides are the contact planes of the walls; otherwise the grid closes
 /// on itself with the periods L and 1.
@@ -51,7 +45,7 @@ class GPF_LANES Cells {
       return std::max(least, static_cast<Index>(std::min(std::round(extent / side), std::floor(extent / narrowest_))));
     };
     columns_ = fit(length, 3);
-    rows_ = fit(height, channel_ ? 1 : 3);
+    rows_ = std::min(fit(height, channel_ ? 1 : 3), Place::most_rows);
     cell_ = Two{length / columns_, height / rows_};
     const auto margin = [this](double extent) { return std::max((extent - narrowest_) / 2, 1e-10 * narrowest_); };
     margin_ = Two{margin(cell_[0]), margin(cell_[1])};
@@ -75,13 +69,15 @@ class GPF_LANES Cells {
     return {clamped(cells[0], columns_), clamped(cells[1], rows_)};
   }
 
-  /// Moves disk i, which begins flight f, from the cell of `place` to the one that is best for it.
-  void settle(Place& place, Index i, const Flight& f) {
-    const Place next = locate(f);
-    if (next.column == place.column && next.row == place.row) return;
+  /// Moves disk i, which begins flight f, from the cell of `place` to the one that is best for it. Returns whether that
+  /// is another: a branch, for where it is not, which is more often, nothing then waits for the divisions in locate().
+  bool settle(Place& place, Index i, const Flight& f) {
+    const Place best = locate(f);
+    if (best == place) return false;
     remove(place, i);
-    place = next;
+    place = best;
     insert(place, i);
+    return true;
   }
 
   /// Puts disk i into the cell of `place`.

@@ -21,6 +21,7 @@
 #include "gpf/event/fetch.hpp"
 #include "gpf/event/huge_pages.hpp"
 #include "gpf/event/observer.hpp"
+#include "gpf/event/plan.hpp"
 #include "gpf/event/position_grid.hpp"
 #include "gpf/event/rules.hpp"
 #include "gpf/scene/scene.hpp"
@@ -81,12 +82,12 @@ class GPF_LANES Engine {
   /// 10^4 that makes it 1.2 times slower, at 3 10^4 neither, at 10^5 faster (nu .30).
   static constexpr std::int32_t fits_near_memory = 50'000;
 
-  /// What only the engine needs to know of a disk.
-  struct alignas(32) Plan {
-    double exit = never;  ///< when it leaves its cell or meets the wall
-    double last_contact = -never;
-    Place place;
-    Side side = Side::left;  ///< of the exit
+  /// What an epoch begins with, by the numbers of the one before. Kept, because memory that is fresh every time costs a
+  /// page fault for each 4 kB of it.
+  struct Start {
+    std::vector<Flight> flights;
+    std::vector<Plan> plans;
+    std::vector<Index> ids;
   };
 
   /// An event that is coming, and where it will look.
@@ -99,15 +100,20 @@ class GPF_LANES Engine {
 
   Disk& disk(Index i) { return disks_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Disk& disk(Index i) const { return disks_[static_cast<std::size_t>(i)]; }
-  Plan& plan(Index i) { return plans_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] Index count() const { return static_cast<Index>(disks_.size()) - 1; }
+  Plan& plan(Index i) { return queue_.plan(i); }
+  [[nodiscard]] const Plan& plan(Index i) const { return queue_.plan(i); }
   /// Whether the contact that a disk has found is off, because its partner has had another.
   [[nodiscard]] bool is_stale(const Disk& a) const { return disk(a.partner).events != a.partner_events; }
-  [[nodiscard]] bool exits_to_wall(Index i) const {
-    const Plan& plan = plans_[static_cast<std::size_t>(i)];
-    return cells_.is_wall(plan.place, plan.side);
-  }
+  [[nodiscard]] bool exits_to_wall(Index i) const { return cells_.is_wall(plan(i).place(), plan(i).side); }
   [[nodiscard]] double epoch_start() const { return static_cast<double>(epoch_) * epoch_length_; }
   [[nodiscard]] double frame_velocity_at(double t) const { return frame_velocity_ + gravity_ * t; }
+
+  /// Into the best cell for the flight that a disk begins.
+  void settle(Index i, const Flight& f) {
+    Place place = plan(i).place();
+    if (cells_.settle(place, i, f)) plan(i).move_to(place);
+  }
 
   template <class Observer>
   void run_until(double until, Observer& observer);
@@ -119,14 +125,14 @@ class GPF_LANES Engine {
   [[gnu::noinline]] void cross(Index i);
   [[gnu::noinline]] void enter(Index i);
   [[nodiscard]] std::uint64_t rank(Index i) const;
-  template <bool are_latest, std::size_t count>  // whether the askers have just begun their flights: none is later
-  void look(const std::array<Index, count>& askers, Block block);
+  template <bool are_latest, std::size_t how_many>  // whether the askers have just begun their flights: none is later
+  void look(const std::array<Index, how_many>& askers, Block block);
   [[nodiscard]] Flight flown(const Flight& f, double t) const;
   [[gnu::noinline]] void foresee();
   void next_epoch();
-  void boost(std::vector<Flight>& flights);
-  void begin_epoch(const std::vector<Flight>& flights);
-  void settle(const std::vector<Flight>& flights);
+  void boost();
+  void begin_epoch();
+  void settle();
   void watch_for_collapse(double t);
   [[nodiscard]] Vec2 lab_position(const Flight& f, double t) const;
   [[nodiscard]] std::string describe(Index i) const;
@@ -143,7 +149,7 @@ class GPF_LANES Engine {
   Cells cells_;
   Queue queue_;
   std::vector<Disk, HugePages<Disk>> disks_;  // in the order of cells; the last is nobody
-  std::vector<Plan, HugePages<Plan>> plans_;
+  Start start_;
   std::array<Coming, 8> coming_;  // the last that were named, of named_
   std::uint32_t named_ = 0;
   std::int64_t epoch_ = 0;
@@ -166,7 +172,7 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
     now_ = queue_.time(i);
     if (foresees_) foresee();
     const Disk& mine = disk(i);
-    if (plan(i).exit < mine.contact) {
+    if (now_ < mine.contact) {
       if (exits_to_wall(i))
         bounce(i, now_, observer);
       else
@@ -187,8 +193,7 @@ void Engine<Queue, Physics>::run_until(double until, Observer& observer) {
 template <class Queue, class Physics>
 std::uint64_t Engine<Queue, Physics>::rank(Index i) const {
   const Disk& mine = disk(i);
-  const Plan& plan = plans_[static_cast<std::size_t>(i)];
-  if (plan.exit < mine.contact)
+  if (queue_.time(i) < mine.contact)
     return exits_to_wall(i) ? (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(mine.id) : 0;
   if (is_stale(mine)) return 0;
   const auto [low, high] = std::minmax(mine.id, disk(mine.partner).id);
@@ -229,8 +234,8 @@ void Engine<Queue, Physics>::collide(Index i, Index j, double t, Observer& obser
                                {b.vx + frame, b.vy},
                                outcome.impulse,
                                outcome.energy_loss});
-  cells_.settle(plan(i).place, i, a);
-  cells_.settle(plan(j).place, j, b);
+  settle(i, a);
+  settle(j, b);
   look<true>(std::array{i, j}, Block::all);
 }
 
@@ -251,7 +256,7 @@ void Engine<Queue, Physics>::bounce(Index i, double t, Observer& observer) {
   trace_.add(epoch_, t, mine.id, wall == Wall::lower ? -1 : -2);
   ++counts_.wall_contacts;
   observer.on_wall(WallContact{epoch_start() + t, mine.id, wall, lab_position(a, t), before, after});
-  cells_.settle(plan(i).place, i, a);
+  settle(i, a);
   look<true>(std::array{i}, Block::all);
 }
 
@@ -262,7 +267,10 @@ void Engine<Queue, Physics>::cross(Index i) {
   ++counts_.crossings;
   Disk& mine = disk(i);
   const Side side = plan(i).side;
-  if (cells_.cross(plan(i).place, i, side, mine.flight)) return enter(i);
+  Place place = plan(i).place();
+  const bool goes_round = cells_.cross(place, i, side, mine.flight);
+  plan(i).move_to(place);
+  if (goes_round) return enter(i);
   const bool stale = mine.partner >= 0 && is_stale(mine);
   if (stale) mine.forget();
   look<false>(std::array{i}, stale ? Block::all : ahead(side));
@@ -287,26 +295,25 @@ void Engine<Queue, Physics>::enter(Index i) {
 /// Schedules for each the earliest of the contact known, the contacts with disks of the block of cells (equal times:
 /// the lower number first) and the exit from the cell. Those that look together do not see what the others find.
 template <class Queue, class Physics>
-template <bool are_latest, std::size_t count>
-void Engine<Queue, Physics>::look(const std::array<Index, count>& askers, Block block) {
-  const auto nobody = static_cast<Index>(plans_.size());
-  std::array<Cells::Question, count> questions;
-  for (std::size_t k = 0; k < count; ++k) {
+template <bool are_latest, std::size_t how_many>
+void Engine<Queue, Physics>::look(const std::array<Index, how_many>& askers, Block block) {
+  std::array<Cells::Question, how_many> questions;
+  std::array<double, how_many> exits;
+  for (std::size_t k = 0; k < how_many; ++k) {
     const Disk& mine = disk(askers[k]);
-    Plan& plan = this->plan(askers[k]);
-    questions[k] = {plan.place, mine.flight, {mine.contact, mine.partner}};
-    const auto exit = cells_.exit(plan.place, mine.flight);
-    plan.exit = exit.time;
-    plan.side = exit.side;
+    questions[k] = {plan(askers[k]).place(), mine.flight, {mine.contact, mine.partner}};
+    const auto exit = cells_.exit(questions[k].place, mine.flight);
+    exits[k] = exit.time;
+    plan(askers[k]).side = exit.side;
   }
-  cells_.template answer<are_latest>(questions, block, disks_.data(), nobody, contact_time_);
-  for (std::size_t k = 0; k < count; ++k) {
+  cells_.template answer<are_latest>(questions, block, disks_.data(), count(), contact_time_);
+  for (std::size_t k = 0; k < how_many; ++k) {
     const FoundContact& found = questions[k].contact;
     Disk& mine = disk(askers[k]);
     mine.contact = found.time;
     mine.partner = found.partner;
     if (found.partner >= 0) mine.partner_events = disk(found.partner).events;
-    queue_.schedule(askers[k], std::min(plan(askers[k]).exit, found.time));
+    queue_.schedule(askers[k], std::min(exits[k], found.time));
   }
 }
 
@@ -329,29 +336,28 @@ void Engine<Queue, Physics>::foresee() {
     ++named_;
     named(0).disk = i;
     fetch(&disk(i));
-    fetch(&plan(i));
     queue_.fetch_links(i);
 
     Coming& first = named(2);
     const Disk& mine = disk(first.disk);
-    const Plan& its = plan(first.disk);
+    const Place place = plan(first.disk).place();
+    const Side side = plan(first.disk).side;
     const Index partner = std::max(mine.partner, 0);  // who tells whether that contact is stale
-    first.touches = its.exit >= mine.contact;
+    first.touches = queue_.time(first.disk) >= mine.contact;
     const bool crosses = !first.touches && !exits_to_wall(first.disk);
-    const Place beyond = cells_.beyond(its.place, its.side).place;
-    first.place = crosses ? beyond : its.place;
-    first.block = crosses ? ahead(its.side) : Block::all;
+    const Place beyond = cells_.beyond(place, side).place;
+    first.place = crosses ? beyond : place;
+    first.block = crosses ? ahead(side) : Block::all;
     first.partner = first.touches ? partner : first.disk;
     cells_.fetch_cells(first.place, first.block);
-    cells_.fetch_cell(its.place);
+    cells_.fetch_cell(place);
     fetch(&disk(partner));
-    fetch(&plan(first.partner));
     queue_.fetch_entry(first.partner);
 
     Coming& second = named(4);
     cells_.fetch_disks(second.place, second.block, disks_.data());
     if (second.touches) {
-      second.place = plan(second.partner).place;
+      second.place = plan(second.partner).place();
       cells_.fetch_cells(second.place, Block::all);
       queue_.fetch_links(second.partner);
     }

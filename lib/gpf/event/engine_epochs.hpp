@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "gpf/event/crowding.hpp"
@@ -26,11 +25,13 @@ void Engine<Queue, Physics>::advance(double time, Observer&& observer) {
 
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::next_epoch() {
-  std::vector<Flight> flights(plans_.size());
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    flights[k] = flown(disks_[k].flight, epoch_length_);
-    flights[k].time = 0;
-    plans_[k].last_contact -= epoch_length_;
+  for (Index i = 0; i < count(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    start_.flights[k] = flown(disk(i).flight, epoch_length_);
+    start_.flights[k].time = 0;
+    start_.plans[k] = plan(i);
+    start_.plans[k].last_contact -= epoch_length_;
+    start_.ids[k] = disk(i).id;
   }
   frame_offset_ += epoch_length_ * (frame_velocity_ + 0.5 * gravity_ * epoch_length_);
   frame_offset_ -= length_ * std::floor(frame_offset_ / length_);
@@ -38,15 +39,16 @@ void Engine<Queue, Physics>::next_epoch() {
   events_per_time_ = static_cast<double>(counts_.examined() - events_before_) / epoch_length_;
   watched_ = -1;
   ++epoch_;
-  boost(flights);
-  begin_epoch(flights);
+  boost();
+  begin_epoch();
 }
 
 /// Takes the frame to the mean flow, less half of the coming fall, so that disks cross few cells. The mean is summed in
 /// fixed point: exact in any order.
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::boost(std::vector<Flight>& flights) {
+void Engine<Queue, Physics>::boost() {
   if (gravity_ == 0) return;
+  auto& flights = start_.flights;
   const double unit = scene_.velocity_scale() * 0x1p-30;
   std::int64_t sum = 0;
   for (const Flight& f : flights) sum += static_cast<std::int64_t>(f.vx / unit);
@@ -56,41 +58,37 @@ void Engine<Queue, Physics>::boost(std::vector<Flight>& flights) {
   frame_velocity_ += step;
 }
 
-/// flights[k] belongs to plans_[k].
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::begin_epoch(const std::vector<Flight>& flights) {
+void Engine<Queue, Physics>::begin_epoch() {
   now_ = 0;
   events_before_ = counts_.examined();
-  settle(flights);
-  queue_.reset(plans_.size(), epoch_length_, events_per_time_);
+  settle();
   coming_ = {};
-  for (Index i = 0; i < static_cast<Index>(plans_.size()); ++i) look<true>(std::array{i}, Block::all);
+  for (Index i = 0; i < count(); ++i) look<true>(std::array{i}, Block::all);
 }
 
-/// Puts the disks into their cells, and neighbours beside each other in memory: disks are renumbered along the cells.
-/// Changes no trajectory, for they keep their ids.
+/// Puts the disks into their cells, and neighbours beside each other in memory: disks are renumbered along the cells,
+/// in the queue, which is empty then, too. Changes no trajectory, for they keep their ids.
 template <class Queue, class Physics>
-void Engine<Queue, Physics>::settle(const std::vector<Flight>& flights) {
+void Engine<Queue, Physics>::settle() {
+  auto& [flights, plans, ids] = start_;
   const double crowded = std::max(1.0, crowding(flights, length_, lower_, upper_));
   cells_.divide(disks_per_cell_ / std::min(square(crowded), most_shrinking));
-  std::vector<std::size_t> first(cells_.size() + 1, 0);
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    plans_[k].place = cells_.locate(flights[k]);
-    ++first[cells_.number(plans_[k].place) + 1];
+  std::vector<Index> first(cells_.size() + 1, 0);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    plans[k].move_to(cells_.locate(flights[k]));
+    ++first[cells_.number(plans[k].place()) + 1];
   }
   for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
-  std::vector<Disk, HugePages<Disk>> disks(disks_.size());
-  std::vector<Plan, HugePages<Plan>> plans(plans_.size());
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    const std::size_t i = first[cells_.number(plans_[k].place)]++;
-    plans[i] = plans_[k];
-    disks[i].begin(flights[k]);
-    disks[i].id = disks_[k].id;
-    cells_.insert(plans[i].place, static_cast<Index>(i));
+  queue_.reset(ids.size(), epoch_length_, events_per_time_);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const Index i = first[cells_.number(plans[k].place())]++;
+    plan(i) = plans[k];
+    disk(i).begin(flights[k]);
+    disk(i).events = 0;
+    disk(i).id = ids[k];
+    cells_.insert(plans[k].place(), i);
   }
-  disks.back().flight.x = disks.back().flight.y = std::numeric_limits<double>::quiet_NaN();
-  disks_.swap(disks);
-  plans_.swap(plans);
 }
 
 }  // namespace gpf

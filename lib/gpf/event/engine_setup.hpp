@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <limits>
+#include <vector>
+
 #include "gpf/event/engine.hpp"
 #include "gpf/event/state_check.hpp"
 
@@ -39,15 +43,15 @@ Engine<Queue, Physics>::Engine(const Scene& scene, const EngineState& state, dou
   detail::require_inside(scene, state);
   detail::require_apart(scene, state);
   const auto count = static_cast<std::size_t>(scene.particles);
-  plans_.resize(count);
   disks_.resize(count + 1);
-  std::vector<Flight> flights(count);
+  disks_.back().flight.x = disks_.back().flight.y = std::numeric_limits<double>::quiet_NaN();
+  start_ = {std::vector<Flight>(count), std::vector<Plan>(count), std::vector<Index>(count)};
   for (std::size_t i = 0; i < count; ++i) {
-    flights[i] = {grid_.round(state.x[i]), grid_.round(state.y[i]), state.vx[i], state.vy[i], 0};
-    plans_[i].last_contact = state.last_contact[i];
-    disks_[i].id = static_cast<Index>(i);
+    start_.flights[i] = {grid_.round(state.x[i]), grid_.round(state.y[i]), state.vx[i], state.vy[i], 0};
+    start_.plans[i].last_contact = state.last_contact[i];
+    start_.ids[i] = static_cast<Index>(i);
   }
-  begin_epoch(flights);
+  begin_epoch();
 }
 
 namespace detail {
@@ -79,11 +83,11 @@ State Engine<Queue, Physics>::state() const {
     return folded < period ? folded : 0;  // a hair below zero would fold to the period itself
   };
   State state;
-  state.position.resize(plans_.size());
-  state.velocity.resize(plans_.size());
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    const Flight& f = disks_[k].flight;
-    const auto id = static_cast<std::size_t>(disks_[k].id);
+  state.position.resize(disks_.size() - 1);
+  state.velocity.resize(disks_.size() - 1);
+  for (Index i = 0; i < count(); ++i) {
+    const Flight& f = disk(i).flight;
+    const auto id = static_cast<std::size_t>(disk(i).id);
     Vec2 r = lab_position(f, now_);
     r.x = inside(r.x, length_);
     if (!channel_) r.y = inside(r.y, 1);
@@ -99,13 +103,14 @@ EngineState Engine<Queue, Physics>::checkpoint() const {
     throw InputError("a checkpoint was asked for within an epoch", "disks are at different times there",
                      "advance to epoch_end() first");
   EngineState state{epoch_, frame_velocity_, frame_offset_, {}, {}, {}, {}, {}, trace_.value(), counts_};
-  for (auto* values : {&state.x, &state.y, &state.vx, &state.vy, &state.last_contact}) values->resize(plans_.size());
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    const auto id = static_cast<std::size_t>(disks_[k].id);
-    const Flight& f = disks_[k].flight;
+  for (auto* values : {&state.x, &state.y, &state.vx, &state.vy, &state.last_contact})
+    values->resize(disks_.size() - 1);
+  for (Index i = 0; i < count(); ++i) {
+    const auto id = static_cast<std::size_t>(disk(i).id);
+    const Flight& f = disk(i).flight;
     state.x[id] = f.x, state.y[id] = f.y;
     state.vx[id] = f.vx, state.vy[id] = f.vy;
-    state.last_contact[id] = plans_[k].last_contact;
+    state.last_contact[id] = plan(i).last_contact;
   }
   return state;
 }
@@ -124,10 +129,10 @@ void Engine<Queue, Physics>::watch_for_collapse(double t) {
 
 template <class Queue, class Physics>
 std::string Engine<Queue, Physics>::describe(Index i) const {
-  const Plan& plan = plans_[static_cast<std::size_t>(i)];
+  const Place place = plan(i).place();
   const Flight& f = disk(i).flight;
   return fmt::format("disk {}: x {:.17g} y {:.17g} vx {:.17g} vy {:.17g} time {:.17g} cell ({}, {})", disk(i).id, f.x,
-                     f.y, f.vx, f.vy, f.time, plan.place.column, plan.place.row);
+                     f.y, f.vx, f.vy, f.time, place.column, place.row);
 }
 
 template <class Queue, class Physics>
@@ -140,7 +145,7 @@ void Engine<Queue, Physics>::fail_backwards(Index i) const {
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::fail_overlap(Index i) const {
   std::string others;
-  for (Index j = 0; j < static_cast<Index>(plans_.size()); ++j)
+  for (Index j = 0; j < count(); ++j)
     for (const double shift_x : {-length_, 0.0, length_})
       for (const double shift_y : {-1.0, 0.0, 1.0}) {
         if (channel_ && shift_y != 0) continue;

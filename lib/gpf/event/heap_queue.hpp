@@ -7,6 +7,7 @@
 
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/plan.hpp"
 #include "gpf/event/queue_meter.hpp"
 
 namespace gpf {
@@ -19,6 +20,7 @@ class BasicHeapQueue {
   void reset(std::size_t count, double horizon, double /*events_per_time*/) {
     horizon_ = horizon;
     time_.assign(count, never);
+    plan_.assign(count, {});
     heap_.resize(count);
     place_.resize(count);
     for (std::size_t k = 0; k < count; ++k) heap_[k] = place_[k] = static_cast<Index>(k);
@@ -39,6 +41,8 @@ class BasicHeapQueue {
   }
 
   [[nodiscard]] double time(Index i) const { return time_[slot(i)]; }
+  Plan& plan(Index i) { return plan_[slot(i)]; }
+  [[nodiscard]] const Plan& plan(Index i) const { return plan_[slot(i)]; }
 
   /// Foresees nothing: what comes after the earliest is not in order here.
   template <class Coming>
@@ -84,6 +88,7 @@ class BasicHeapQueue {
 
   double horizon_ = 0;
   std::vector<double> time_;
+  std::vector<Plan> plan_;
   std::vector<Index> heap_, place_;
 };
 using HeapQueue = BasicHeapQueue<>;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpf/base/random.hpp"
+#include "gpf/event/plan.hpp"
 #include "gpf/event/position_grid.hpp"
 #include "support/scenes.hpp"
 
@@ -110,6 +111,20 @@ BOOST_AUTO_TEST_CASE(no_narrower_than_a_disk_and_about_as_many_as_asked_for) {
       if (per_cell * scene.particles < 0.1 * scene.length() / square(d) && !f.channel)
         BOOST_TEST(static_cast<double>(f.cells.size()) <= scene.particles / per_cell * 1.01 + 9);
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_row_has_a_number_that_a_plan_has_room_for) {
+  Scene scene;
+  scene.geometry = Geometry::periodic;
+  scene.particles = 10;
+  scene.width_over_diameter = 1e5;
+  scene.length_over_width = 1e-4;
+  const double length = scene.length();
+  Cells cells(scene, 0, 1, length, 1e-12);
+  BOOST_TEST(cells.size() == std::size_t{9} * 65536u);
+  Plan plan;
+  plan.move_to(cells.locate({length * (1 - 0x1p-40), 1 - 0x1p-40, 0, 0, 0}));
+  BOOST_TEST((plan.place() == Place{8, 65535}));
 }
 
 BOOST_AUTO_TEST_CASE(places_outside_belong_to_the_nearest_cell) {
