@@ -106,11 +106,6 @@ class BasicCalendarQueue {
   }
   /// Fetches the time and the plan of disk i.
   void fetch_entry(Index i) const { fetch(&entry(i)); }
-  /// Fetches what the entry of disk i is linked to.
-  void fetch_links(Index i) {
-    fetch(&at(entry(i).link.next));
-    fetch(&at(entry(i).link.previous));
-  }
 
  private:
   /// The links of a day's disks and its head form a ring; one that is in no day is a ring of its own. Rings are linked

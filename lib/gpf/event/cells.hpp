@@ -49,7 +49,7 @@ class GPF_LANES Cells {
     cell_ = Two{length / columns_, height / rows_};
     const auto margin = [this](double extent) { return std::max((extent - narrowest_) / 2, 1e-10 * narrowest_); };
     margin_ = Two{margin(cell_[0]), margin(cell_[1])};
-    near_ = {columns_, rows_, length, channel_ ? 0.0 : 1.0};
+    near_ = {columns_, rows_, length, channel_ ? 0.0 : 1.0, sizeof(CellLine)};
     lines_.assign(size(), CellLine{});
   }
 
@@ -171,7 +171,7 @@ class GPF_LANES Cells {
               const ContactTime& contact_time) const {
     bool shifted = false;
     for (Question& q : questions) {
-      q.near = &near_(q.place.column, q.place.row, block);
+      q.near = &near_[near_.number(q.place.column, q.place.row, block)];
       shifted |= q.near->shifted;
     }
     if (shifted)
@@ -180,22 +180,28 @@ class GPF_LANES Cells {
       answer_shifted<asker_is_latest, false>(questions, disks, nobody, contact_time);
   }
 
-  /// Fetches a block of cells around `place` from memory. Nine at any rate: some are the middle one once more, which
-  /// costs less than a branch on their number.
-  void fetch_cells(const Place& place, Block block) const {
-    const CellLine* const home = &lines_[number(place)];
-    const NearCells& near = near_(place.column, place.row, block);
+  /// A block of cells around a place, to be fetched from memory.
+  struct Around {
+    std::size_t cell, block;  ///< their numbers
+  };
+  [[nodiscard]] Around around(const Place& place, Block block) const {
+    return {number(place), near_.number(place.column, place.row, block)};
+  }
+  /// Nine cells at any rate: some are the middle one once more, which costs less than a branch on their number.
+  void fetch_cells(const Around& around) const {
+    const CellLine* const home = &lines_[around.cell];
+    const NearCells& near = near_[around.block];
 #pragma GCC unroll 9
-    for (std::size_t k = 0; k < 9; ++k) fetch(home + near.cells[k].offset);
+    for (std::size_t k = 0; k < 9; ++k) fetch(&line_at(home, near.cells[k].offset));
   }
   void fetch_cell(const Place& place) const { fetch(&lines_[number(place)]); }
   /// Fetches two disks of each of these cells, whether or not it has so many, for the same reason.
-  void fetch_disks(const Place& place, Block block, const Disk* disks) const {
-    const CellLine* const home = &lines_[number(place)];
-    const NearCells& near = near_(place.column, place.row, block);
+  void fetch_disks(const Around& around, const Disk* disks) const {
+    const CellLine* const home = &lines_[around.cell];
+    const NearCells& near = near_[around.block];
 #pragma GCC unroll 9
     for (std::size_t k = 0; k < 9; ++k) {
-      const CellLine& line = home[near.cells[k].offset];
+      const CellLine& line = line_at(home, near.cells[k].offset);
 #pragma GCC unroll 2
       for (std::size_t m = 0; m < 2; ++m) fetch(&disks[line.disks[m]]);
     }
@@ -235,7 +241,7 @@ class GPF_LANES Cells {
     neighbours.surround(near);
     std::uint32_t continued = 0;
     const auto cell = [&](std::size_t k) {
-      const CellLine& line = home[near.cells[k].offset];
+      const CellLine& line = line_at(home, near.cells[k].offset);
       neighbours.gather(line, k);
       continued |= line.next;
     };
@@ -257,7 +263,7 @@ class GPF_LANES Cells {
     const NearCells& near = *question.near;
     const CellLine* const home = &lines_[number(question.place)];
     for (std::size_t cell = 0; cell < near.count; ++cell)
-      for (std::uint32_t more = home[near.cells[cell].offset].next; more != 0; more = lines_[more].next) {
+      for (std::uint32_t more = line_at(home, near.cells[cell].offset).next; more != 0; more = lines_[more].next) {
         Neighbourhood<true> rest;
         rest.surround(near);
         rest.gather(lines_[more], cell);
@@ -268,6 +274,9 @@ class GPF_LANES Cells {
       }
   }
 
+  static const CellLine& line_at(const CellLine* home, std::ptrdiff_t offset) {
+    return *reinterpret_cast<const CellLine*>(reinterpret_cast<const std::byte*>(home) + offset);
+  }
   [[nodiscard]] std::size_t number(Index column, Index row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }

@@ -93,8 +93,7 @@ class GPF_LANES Engine {
   /// An event that is coming, and where it will look.
   struct Coming {
     Index disk = 0, partner = 0;
-    Place place;
-    Block block = Block::all;
+    Cells::Around around{};
     bool touches = false;  ///< so that its partner will look, too
   };
 
@@ -336,7 +335,6 @@ void Engine<Queue, Physics>::foresee() {
     ++named_;
     named(0).disk = i;
     fetch(&disk(i));
-    queue_.fetch_links(i);
 
     Coming& first = named(2);
     const Disk& mine = disk(first.disk);
@@ -344,26 +342,23 @@ void Engine<Queue, Physics>::foresee() {
     const Side side = plan(first.disk).side;
     const Index partner = std::max(mine.partner, 0);  // who tells whether that contact is stale
     first.touches = queue_.time(first.disk) >= mine.contact;
-    const bool crosses = !first.touches && !exits_to_wall(first.disk);
     const Place beyond = cells_.beyond(place, side).place;
-    first.place = crosses ? beyond : place;
-    first.block = crosses ? ahead(side) : Block::all;
+    first.around = cells_.around(first.touches ? place : beyond, first.touches ? Block::all : ahead(side));
     first.partner = first.touches ? partner : first.disk;
-    cells_.fetch_cells(first.place, first.block);
+    cells_.fetch_cells(first.around);
     cells_.fetch_cell(place);
     fetch(&disk(partner));
     queue_.fetch_entry(first.partner);
 
     Coming& second = named(4);
-    cells_.fetch_disks(second.place, second.block, disks_.data());
+    cells_.fetch_disks(second.around, disks_.data());
     if (second.touches) {
-      second.place = plan(second.partner).place();
-      cells_.fetch_cells(second.place, Block::all);
-      queue_.fetch_links(second.partner);
+      second.around = cells_.around(plan(second.partner).place(), Block::all);
+      cells_.fetch_cells(second.around);
     }
 
     const Coming& third = named(6);
-    if (third.touches) cells_.fetch_disks(third.place, Block::all, disks_.data());
+    if (third.touches) cells_.fetch_disks(third.around, disks_.data());
   });
 }
 

@@ -63,7 +63,7 @@ void Engine<Queue, Physics>::begin_epoch() {
   now_ = 0;
   events_before_ = counts_.examined();
   settle();
-  coming_ = {};
+  coming_.fill({.around = cells_.around({}, Block::all)});
   for (Index i = 0; i < count(); ++i) look<true>(std::array{i}, Block::all);
 }
 

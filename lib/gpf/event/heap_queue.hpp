@@ -48,7 +48,6 @@ class BasicHeapQueue {
   template <class Coming>
   void foresee(Coming&&) const {}
   void fetch_entry(Index) const {}
-  void fetch_links(Index) const {}
 
  private:
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }

@@ -15,11 +15,11 @@ namespace gpf {
 enum class Block : std::uint8_t { ahead_left, ahead_right, ahead_lower, ahead_upper, all };
 inline constexpr std::size_t block_count = 5;
 
-/// At most nine cells: how far each is from the cell in the middle, in cells of the grid (rows first), and the shift
-/// that brings its disks beside that cell.
+/// At most nine cells: how far each is from the cell in the middle in memory, and the shift that brings its disks
+/// beside that cell.
 struct NearCells {
   struct Cell {
-    std::ptrdiff_t offset;
+    std::ptrdiff_t offset;  ///< in bytes
     Vec2 shift;
   };
   std::size_t count = 0;
@@ -31,18 +31,21 @@ struct NearCells {
 class NearCellsOfGrid {
  public:
   NearCellsOfGrid() = default;
-  /// A period is 0 where the grid ends at walls.
-  NearCellsOfGrid(Index columns, Index rows, double period_x, double period_y)
-      : last_column_(columns - 1), last_row_(rows - 1) {
+  /// A period is 0 where the grid ends at walls; a cell takes `size` bytes, and they lie row by row.
+  NearCellsOfGrid(Index columns, Index rows, double period_x, double period_y, std::ptrdiff_t size)
+      : last_column_(columns - 1), last_row_(rows - 1), size_(size) {
     for (const Index row : {Index{0}, std::min(Index{1}, last_row_), last_row_})
       for (const Index column : {Index{0}, std::min(Index{1}, last_column_), last_column_})
         for (std::size_t block = 0; block < block_count; ++block)
-          blocks_[kind(column, row)][block] = around(column, row, static_cast<Block>(block), period_x, period_y);
+          blocks_[number(column, row, static_cast<Block>(block))] =
+              around(column, row, static_cast<Block>(block), period_x, period_y);
   }
 
-  [[nodiscard]] const NearCells& operator()(Index column, Index row, Block block) const {
-    return blocks_[kind(column, row)][static_cast<std::size_t>(block)];
+  /// Number of a block around a cell, for operator[].
+  [[nodiscard]] std::size_t number(Index column, Index row, Block block) const {
+    return kind(column, row) * block_count + static_cast<std::size_t>(block);
   }
+  const NearCells& operator[](std::size_t number) const { return blocks_[number]; }
 
  private:
   static std::size_t edge(Index at, Index last) { return std::size_t{at == 0} + 2 * std::size_t{at == last}; }
@@ -60,7 +63,7 @@ class NearCellsOfGrid {
         const int over_x = beyond(column + x, last_column_), over_y = beyond(row + y, last_row_);
         if ((over_x != 0 && period_x == 0) || (over_y != 0 && period_y == 0)) continue;
         const std::ptrdiff_t columns = last_column_ + 1, rows = last_row_ + 1;
-        near.cells[near.count++] = {(y - over_y * rows) * columns + x - over_x * columns,
+        near.cells[near.count++] = {size_ * ((y - over_y * rows) * columns + x - over_x * columns),
                                     {over_x * period_x, over_y * period_y}};
         near.shifted |= over_x != 0 || over_y != 0;
       }
@@ -68,7 +71,8 @@ class NearCellsOfGrid {
   }
 
   Index last_column_ = 0, last_row_ = 0;
-  std::array<std::array<NearCells, block_count>, 16> blocks_;
+  std::ptrdiff_t size_ = 0;
+  std::array<NearCells, 16 * block_count> blocks_;
 };
 
 }  // namespace gpf

@@ -30,9 +30,9 @@ bool in_block(int x, int y, Block block) {
 }
 
 /// Every block of every cell of a grid: each cell of the 3 x 3 around it that belongs to the block exactly once, named
-/// by its offset, with the shift of the periods that were gone round. No cell beyond walls.
+/// by its offset in bytes, with the shift of the periods that were gone round. No cell beyond walls.
 void check(Index columns, Index rows, bool walls) {
-  const NearCellsOfGrid grid(columns, rows, length, walls ? 0 : 1);
+  const NearCellsOfGrid grid(columns, rows, length, walls ? 0 : 1, 24);
   for (Index row = 0; row < rows; ++row)
     for (Index column = 0; column < columns; ++column)
       for (const Block block :
@@ -45,11 +45,11 @@ void check(Index columns, Index rows, bool walls) {
             const int over_x = static_cast<int>(std::floor(1.0 * (column + x) / columns));
             const int over_y = static_cast<int>(std::floor(1.0 * (row + y) / rows));
             if (walls && over_y != 0) continue;
-            const std::ptrdiff_t offset = std::ptrdiff_t{columns} * (y - over_y * rows) + x - over_x * columns;
+            const std::ptrdiff_t offset = 24 * (std::ptrdiff_t{columns} * (y - over_y * rows) + x - over_x * columns);
             expected[offset] = {over_x * length, over_y};
             shifted |= over_x != 0 || over_y != 0;
           }
-        const NearCells& found = grid(column, row, block);
+        const NearCells& found = grid[grid.number(column, row, block)];
         BOOST_REQUIRE(found.count == expected.size());
         BOOST_REQUIRE(found.shifted == shifted);
         for (std::size_t k = 0; k < found.count; ++k) {
