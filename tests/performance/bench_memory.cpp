@@ -24,7 +24,8 @@ struct alignas(64) Line {
 };
 
 struct Cost {
-  double alone, fetched;  ///< each read waits for the one before; fetched eight reads ahead
+  double alone;                   ///< each read waits for the one before
+  double eight_ahead, far_ahead;  ///< fetched 8 and 32 reads ahead
 };
 
 Cost cost_of_a_line(std::size_t bytes) {
@@ -41,18 +42,24 @@ Cost cost_of_a_line(std::size_t bytes) {
 
   std::uint64_t at = 0, sum = 0;
   for (std::size_t k = 0; k < reads / 4; ++k) at = lines[at].next;
-  double began = cpu_nanoseconds();
+  const double began = cpu_nanoseconds();
   for (std::size_t k = 0; k < reads; ++k) at = lines[at].next;
   const double alone = (cpu_nanoseconds() - began) / static_cast<double>(reads);
 
-  began = cpu_nanoseconds();
-  for (std::size_t k = 0; k < reads; ++k) {
-    gpf::fetch(&lines[order[(k + 8) % count]]);
-    sum += lines[order[k % count]].next;
-  }
-  const double fetched = (cpu_nanoseconds() - began) / static_cast<double>(reads);
-  if (at == sum) std::puts("");  // so that neither loop is left out
-  return {alone, fetched};
+  order.insert(order.end(), order.begin(), order.begin() + 32);
+  const auto fetched = [&](std::size_t ahead) {
+    const std::size_t passes = (reads + count - 1) / count;
+    const double start = cpu_nanoseconds();
+    for (std::size_t pass = 0; pass < passes; ++pass)
+      for (std::size_t k = 0; k < count; ++k) {
+        gpf::fetch(&lines[order[k + ahead]]);
+        sum += lines[order[k]].next;
+      }
+    return (cpu_nanoseconds() - start) / static_cast<double>(passes * count);
+  };
+  const Cost cost{alone, fetched(8), fetched(32)};
+  if (at == sum) std::puts("");  // so that no loop is left out
+  return cost;
 }
 
 /// Two threads that wait for each other's word, as two cores that work on one scene would have to: nanoseconds of wall
@@ -77,11 +84,11 @@ double cost_of_a_word() {
 }  // namespace
 
 int main(int count, char** arguments) {
-  std::printf("%10s %16s %22s\n", "MB", "ns, one by one", "ns, fetched 8 ahead");
+  std::printf("%10s %16s %22s %10s\n", "MB", "ns, one by one", "ns, fetched 8 ahead", "32 ahead");
   for (const double megabytes : {0.25, 2.4, 24.0, 240.0}) {
     if (count > 1 && megabytes > std::atof(arguments[1])) continue;
     const Cost cost = cost_of_a_line(static_cast<std::size_t>(megabytes * 1e6));
-    std::printf("%10.3g %16.1f %22.1f\n", megabytes, cost.alone, cost.fetched);
+    std::printf("%10.3g %16.1f %22.1f %10.1f\n", megabytes, cost.alone, cost.eight_ahead, cost.far_ahead);
   }
   if (count == 1 && std::thread::hardware_concurrency() > 1)
     std::printf("a word from one core to another: %.0f ns\n", cost_of_a_word());

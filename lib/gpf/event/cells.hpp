@@ -57,8 +57,13 @@ class GPF_LANES Cells {
     return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   }
 
-  /// Number of a cell, rows first.
-  [[nodiscard]] std::size_t number(const Place& place) const { return number(place.column, place.row); }
+  /// In which order disks should lie in memory, by their cells: along tiles of 8 x 8 cells, so that those around a cell
+  /// lie on few pages. Below orders().
+  [[nodiscard]] std::size_t order(const Place& place) const {
+    const auto column = static_cast<std::size_t>(place.column), row = static_cast<std::size_t>(place.row);
+    return ((row / tile * tiles(columns_) + column / tile) * tile + row % tile) * tile + column % tile;
+  }
+  [[nodiscard]] std::size_t orders() const { return tiles(columns_) * tiles(rows_) * tile * tile; }
 
   /// The cell for a disk: of those that it is in, or outside of by no more than the margin (see exit()), the last on
   /// its way, in which it stays longest. One outside the box belongs to the nearest cell.
@@ -274,12 +279,16 @@ class GPF_LANES Cells {
       }
   }
 
+  static constexpr std::size_t tile = 8;
+  static std::size_t tiles(Index cells) { return (static_cast<std::size_t>(cells) + tile - 1) / tile; }
   static const CellLine& line_at(const CellLine* home, std::ptrdiff_t offset) {
     return *reinterpret_cast<const CellLine*>(reinterpret_cast<const std::byte*>(home) + offset);
   }
-  [[nodiscard]] std::size_t number(Index column, Index row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  [[nodiscard]] std::size_t number(const Place& place) const {
+    return static_cast<std::size_t>(place.row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(place.column);
   }
+
   bool channel_;
   using Two = double __attribute__((vector_size(16)));  // along x and y
   Two corner_, opposite_;                               // of the box

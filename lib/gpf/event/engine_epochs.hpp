@@ -74,15 +74,15 @@ void Engine<Queue, Physics>::settle() {
   auto& [flights, plans, ids] = start_;
   const double crowded = std::max(1.0, crowding(flights, length_, lower_, upper_));
   cells_.divide(disks_per_cell_ / std::min(square(crowded), most_shrinking));
-  std::vector<Index> first(cells_.size() + 1, 0);
+  std::vector<Index> first(cells_.orders() + 1, 0);
   for (std::size_t k = 0; k < ids.size(); ++k) {
     plans[k].move_to(cells_.locate(flights[k]));
-    ++first[cells_.number(plans[k].place()) + 1];
+    ++first[cells_.order(plans[k].place()) + 1];
   }
-  for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
+  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
   queue_.reset(ids.size(), epoch_length_, events_per_time_);
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const Index i = first[cells_.number(plans[k].place())]++;
+    const Index i = first[cells_.order(plans[k].place())]++;
     plan(i) = plans[k];
     disk(i).begin(flights[k]);
     disk(i).events = 0;

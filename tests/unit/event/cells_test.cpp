@@ -127,6 +127,21 @@ BOOST_AUTO_TEST_CASE(a_row_has_a_number_that_a_plan_has_room_for) {
   BOOST_TEST((plan.place() == Place{8, 65535}));
 }
 
+BOOST_AUTO_TEST_CASE(each_cell_has_an_order_of_its_own_and_tiles_lie_together) {
+  for (const Scene& scene : scenes()) {
+    const Filled f(scene, 1);
+    const Place last = f.cells.locate({f.length, 1, 0, 0, 0});
+    std::map<std::size_t, Place> cells;
+    for (Index row = 0; row <= last.row; ++row)
+      for (Index column = 0; column <= last.column; ++column) {
+        BOOST_REQUIRE(f.cells.order({column, row}) < f.cells.orders());
+        BOOST_REQUIRE(f.cells.order({column, row}) / 64 == f.cells.order({column / 8 * 8, row / 8 * 8}) / 64);
+        cells[f.cells.order({column, row})] = {column, row};
+      }
+    BOOST_TEST(cells.size() == f.cells.size());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(places_outside_belong_to_the_nearest_cell) {
   const Filled f(test::gas(400, 0.1), 1);
   for (const double y : {-1e-16, 0.0, 0.7, 1.0}) {
