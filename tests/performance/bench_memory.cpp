@@ -1,5 +1,6 @@
 // Nanoseconds for a cache line that is read at random, by the size of the memory that it lies in, and for a word that
 // one core waits for from another: what the cost per collision is to be held against (lib/gpf/event/DECISIONS.md).
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -46,7 +47,8 @@ Cost cost_of_a_line(std::size_t bytes) {
   for (std::size_t k = 0; k < reads; ++k) at = lines[at].next;
   const double alone = (cpu_nanoseconds() - began) / static_cast<double>(reads);
 
-  order.insert(order.end(), order.begin(), order.begin() + 32);
+  order.resize(count + 32);
+  std::copy_n(order.begin(), 32, order.begin() + static_cast<std::ptrdiff_t>(count));
   const auto fetched = [&](std::size_t ahead) {
     const std::size_t passes = (reads + count - 1) / count;
     const double start = cpu_nanoseconds();

@@ -19,7 +19,8 @@
 
 namespace gpf {
 
-/// One scheduled time per disk. A day holds the events of one stretch of time of about one event. This week and the
+/// One scheduled time per disk, and beside it the engine's plan for the disk, which the queue keeps and does not read;
+/// reset() forgets both. A day holds the events of one stretch of time of about one event. This week and the
 /// next are near: each of their days has a list. What is scheduled later is written to the end of its week's sheaf, so
 /// that nothing waits for the memory of other disks; it is looked at when the week comes near, and dropped if its disk
 /// has another time by then.
@@ -120,6 +121,7 @@ class BasicCalendarQueue {
     double time;
     Plan plan;
   };
+  static_assert(sizeof(Entry) == 32 && offsetof(Entry, link) == 0 && sizeof(Entry) % sizeof(Link) == 0);
   struct alignas(Entry) Storage {
     std::array<std::byte, sizeof(Entry)> bytes;
   };
@@ -147,7 +149,7 @@ class BasicCalendarQueue {
   static Index link_of(Index disk) { return disk * static_cast<Index>(sizeof(Entry) / sizeof(Link)); }
   static Index disk_of(Index link) { return link / static_cast<Index>(sizeof(Entry) / sizeof(Link)); }
   [[nodiscard]] std::byte* address(Index i, std::size_t size) {
-    return memory_.data()->bytes.data() + static_cast<std::size_t>(i) * size;
+    return reinterpret_cast<std::byte*>(memory_.data()) + static_cast<std::size_t>(i) * size;
   }
   Entry& entry(Index disk) { return *reinterpret_cast<Entry*>(address(disk, sizeof(Entry))); }
   Link& at(Index link) { return *reinterpret_cast<Link*>(address(link, sizeof(Link))); }
@@ -167,17 +169,17 @@ class BasicCalendarQueue {
       lay_up(i, time, sheaf(its_day));
   }
 
-  void unlink(Index i) {
-    const Link link = at(i);
+  void unlink(Index mine) {
+    const Link link = at(mine);
     at(link.next).previous = link.previous;
     at(link.previous).next = link.next;
-    at(i) = {i, i};
+    at(mine) = {mine, mine};
   }
-  void link(Index i, Index head) {
+  void link(Index mine, Index head) {
     const Index next = at(head).next;
-    at(i) = {next, head};
-    at(next).previous = i;
-    at(head).next = i;
+    at(mine) = {next, head};
+    at(next).previous = mine;
+    at(head).next = mine;
   }
 
   [[gnu::noinline]] void lay_up(Index i, double time, Sheaf& sheaf) {
@@ -217,7 +219,7 @@ class BasicCalendarQueue {
     const Index next = chunk_at(chunk).next;
     if (next == none) return;
     const auto* const bytes = reinterpret_cast<const std::byte*>(&chunk_at(next));
-    for (std::size_t at = 0; at < sizeof(Chunk); at += 64) fetch(bytes + at);
+    for (std::size_t line = 0; line < sizeof(Chunk); line += 64) fetch(bytes + line);
   }
 
   double horizon_ = 0, days_per_time_ = 1;

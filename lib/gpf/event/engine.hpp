@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,7 +78,7 @@ class GPF_LANES Engine {
   /// and leaves a gas as it is; by no more than this, for empty cells take memory too (640 bytes per disk then).
   static constexpr double most_shrinking = 20;
   /// From so many disks on the loop waits for memory rather than for arithmetic, and it pays to fetch ahead: at N =
-  /// 10^4 that makes it 1.2 times slower, at 3 10^4 neither, at 10^5 faster (nu .30).
+  /// 10^4 that makes it 1.2 times slower, at 3 10^4 1.06 times, at 10^5 faster (nu .30).
   static constexpr std::int32_t fits_near_memory = 50'000;
 
   /// What an epoch begins with, by the numbers of the one before. Kept, because memory that is fresh every time costs a
@@ -147,7 +146,7 @@ class GPF_LANES Engine {
   double most_depth_;  // of an overlap that round-off explains, as deepest_
   Cells cells_;
   Queue queue_;
-  std::vector<Disk, HugePages<Disk>> disks_;  // in the order of cells; the last is nobody
+  std::vector<Disk, HugePages<Disk>> disks_;  // in Cells::order(); the last is nobody
   Start start_;
   std::array<Coming, 8> coming_;  // the last that were named, of named_
   std::uint32_t named_ = 0;
@@ -343,7 +342,8 @@ void Engine<Queue, Physics>::foresee() {
     const Index partner = std::max(mine.partner, 0);  // who tells whether that contact is stale
     first.touches = queue_.time(first.disk) >= mine.contact;
     const Place beyond = cells_.beyond(place, side).place;
-    first.around = cells_.around(first.touches ? place : beyond, first.touches ? Block::all : ahead(side));
+    const bool stays = first.touches || exits_to_wall(first.disk);
+    first.around = cells_.around(stays ? place : beyond, stays ? Block::all : ahead(side));
     first.partner = first.touches ? partner : first.disk;
     cells_.fetch_cells(first.around);
     cells_.fetch_cell(place);

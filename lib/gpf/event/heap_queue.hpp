@@ -12,7 +12,8 @@
 
 namespace gpf {
 
-/// One scheduled time per disk; `heap_` is the thesis' pht, `place_` its inverse pth.
+/// One scheduled time per disk, and beside it the engine's plan for the disk, which the queue keeps and does not read;
+/// reset() forgets both. `heap_` is the thesis' pht, `place_` its inverse pth.
 template <class Meter = NoMeter>
 class BasicHeapQueue {
  public:

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "gpf/event/contact_time.hpp"
+#include "gpf/event/disk.hpp"
 #include "gpf/event/place.hpp"
 
 namespace gpf {

@@ -52,6 +52,7 @@ void check(Index columns, Index rows, bool walls) {
         const NearCells& found = grid[grid.number(column, row, block)];
         BOOST_REQUIRE(found.count == expected.size());
         BOOST_REQUIRE(found.shifted == shifted);
+        for (std::size_t k = found.count; k < found.cells.size(); ++k) BOOST_REQUIRE(found.cells[k].offset == 0);
         for (std::size_t k = 0; k < found.count; ++k) {
           const auto cell = expected.find(found.cells[k].offset);
           BOOST_REQUIRE(cell != expected.end());

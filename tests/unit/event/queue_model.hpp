@@ -12,6 +12,7 @@
 #include "gpf/base/random.hpp"
 #include "gpf/event/contact_time.hpp"
 #include "gpf/event/disk.hpp"
+#include "gpf/event/plan.hpp"
 
 namespace gpf::test {
 
@@ -28,6 +29,16 @@ class QueueModel {
   QueueModel(std::size_t count, double horizon, double events_per_time)
       : horizon_(horizon), time_(count, never), count_(count) {
     queue_.reset(count, horizon, events_per_time);
+    for (Index i = 0; i < static_cast<Index>(count); ++i) queue_.plan(i) = {-1.0 * i, i, 7, Side::upper};
+  }
+
+  /// That each plan is as it was given; after a reset none is.
+  void check_plans() {
+    for (Index i = 0; i < static_cast<Index>(count_); ++i)
+      BOOST_REQUIRE((queue_.plan(i).last_contact == -i && queue_.plan(i).place() == Place{i, 7} &&
+                     queue_.plan(i).side == Side::upper));
+    queue_.reset(count_, horizon_, 1);
+    for (Index i = 0; i < static_cast<Index>(count_); ++i) BOOST_REQUIRE(queue_.plan(i).last_contact == -never);
   }
 
   void schedule(Index i, double time) {
@@ -83,6 +94,7 @@ void queue_follows_its_model(double events_per_time) {
       QueueModel<Queue> model(count, 64, events_per_time);
       for (Index i = 0; i < static_cast<Index>(count); ++i) model.schedule(i, step * i + 0.01 * (i % 5));
       model.run(20000, 17 + count, 0.5, step);
+      model.check_plans();
     }
 }
 
