@@ -15,6 +15,7 @@ echo "ok - an undisturbed trial of $runs runs"
 
 stopped=0
 for signal in TERM INT KILL; do  # each when one more run is done
+  : > err.txt  # the trial empties it too, but perhaps after it has been looked at
   "$gpf" faults "walls exchanged" --claim algo.walls --store cut --reference "$reference" -j 2 \
     > cut.txt 2> err.txt &
   pid=$!
