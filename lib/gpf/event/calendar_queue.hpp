@@ -39,7 +39,7 @@ class BasicCalendarQueue {
     week_bits_ = std::countr_zero(near_days) - 1;
     first_slot_ = link_of(static_cast<Index>(count));
     today_ = foreseen_ = named_ = 0;
-    days_ahead_ = 12;
+    days_ahead_ = events_ahead;
     last_ = day(horizon);
     near_end_ = static_cast<std::int64_t>(near_days);
     open_day_ = near_end_ / 2;
@@ -88,7 +88,7 @@ class BasicCalendarQueue {
   Plan& plan(Index i) { return entry(i).plan; }
   [[nodiscard]] const Plan& plan(Index i) const { return entry(i).plan; }
 
-  /// Names the disks whose events are coming, each once and some twelve events ahead, so that what they need can be
+  /// Names the disks whose events are coming, each once and some fifteen events ahead, so that what they need can be
   /// fetched from memory meanwhile; coming(i).
   template <class Coming>
   void foresee(Coming&& coming) {
@@ -100,7 +100,7 @@ class BasicCalendarQueue {
         ++named_;
       }
       if (++foreseen_ % days_counted == 0) [[unlikely]] {
-        days_ahead_ = 12 * days_counted / std::clamp(named_, days_counted / 8, days_counted * 2);
+        days_ahead_ = events_ahead * days_counted / std::clamp(named_, days_counted / 8, days_counted * 2);
         named_ = 0;
       }
     }
@@ -142,6 +142,7 @@ class BasicCalendarQueue {
   static constexpr Index none = -1;
   static constexpr std::size_t many = 50'000;
   static constexpr std::int64_t most_sheaves = 4096;
+  static constexpr std::int64_t events_ahead = 15;
   static constexpr std::int64_t days_counted = 1024;  ///< to know how many events a day has: a guess at first
 
   [[nodiscard]] std::int64_t day(double time) const { return static_cast<std::int64_t>(time * days_per_time_); }

@@ -74,6 +74,10 @@ class GPF_LANES Cells {
     return {clamped(cells[0], columns_), clamped(cells[1], rows_)};
   }
 
+  /// Whether disks often move to another cell when they begin a flight: not where cells leave them no choice, to which
+  /// of two a place may belong. In a gas of area fraction .54 cells of one disk are so wide.
+  [[nodiscard]] bool are_roomy() const { return std::min(cell_[0], cell_[1]) > 1.2 * narrowest_; }
+
   /// Moves disk i, which begins flight f, from the cell of `place` to the one that is best for it. Returns whether that
   /// is another: a branch, for where it is not, which is more often, nothing then waits for the divisions in locate().
   bool settle(Place& place, Index i, const Flight& f) {
@@ -192,23 +196,27 @@ class GPF_LANES Cells {
   [[nodiscard]] Around around(const Place& place, Block block) const {
     return {number(place), near_.number(place.column, place.row, block)};
   }
-  /// Nine cells at any rate: some are the middle one once more, which costs less than a branch on their number.
+  /// The first `count` cells of a block, which has nine or, ahead of a side, three. Where a grid ends some are the
+  /// middle one once more, which costs less than a branch on their number.
+  template <std::size_t count>
   void fetch_cells(const Around& around) const {
     const CellLine* const home = &lines_[around.cell];
     const NearCells& near = near_[around.block];
 #pragma GCC unroll 9
-    for (std::size_t k = 0; k < 9; ++k) fetch(&line_at(home, near.cells[k].offset));
+    for (std::size_t k = 0; k < count; ++k) fetch(&line_at(home, near.cells[k].offset));
   }
   void fetch_cell(const Place& place) const { fetch(&lines_[number(place)]); }
-  /// Fetches two disks of each of these cells, whether or not it has so many, for the same reason.
+  /// Two disks of each of nine cells, three of each of three, whether or not there are so many, for the same reason.
+  template <std::size_t count>
   void fetch_disks(const Around& around, const Disk* disks) const {
+    constexpr std::size_t disks_of_a_cell = count == 3 ? 3 : 2;
     const CellLine* const home = &lines_[around.cell];
     const NearCells& near = near_[around.block];
 #pragma GCC unroll 9
-    for (std::size_t k = 0; k < 9; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const CellLine& line = line_at(home, near.cells[k].offset);
-#pragma GCC unroll 2
-      for (std::size_t m = 0; m < 2; ++m) fetch(&disks[line.disks[m]]);
+#pragma GCC unroll 3
+      for (std::size_t m = 0; m < disks_of_a_cell; ++m) fetch(&disks[line.disks[m]]);
     }
   }
 

@@ -12,6 +12,7 @@
 
 #include "gpf/base/error.hpp"
 #include "gpf/base/hash.hpp"
+#include "gpf/event/after_contact.hpp"
 #include "gpf/event/calendar_queue.hpp"
 #include "gpf/event/cells.hpp"
 #include "gpf/event/contact_time.hpp"
@@ -91,9 +92,9 @@ class GPF_LANES Engine {
 
   /// An event that is coming, and where it will look.
   struct Coming {
-    Index disk = 0, partner = 0;
-    Cells::Around around{};
-    bool touches = false;  ///< so that its partner will look, too
+    Index disk = 0, partner = 0;  ///< the same where there is no partner
+    bool touches = false;         ///< its partner or a wall; else it leaves its cell
+    Cells::Around around{}, partner_around{};
   };
 
   Disk& disk(Index i) { return disks_[static_cast<std::size_t>(i)]; }
@@ -323,8 +324,8 @@ Flight Engine<Queue, Physics>::flown(const Flight& f, double t) const {
 }
 
 /// Asks for the memory that the coming events will read: it takes longer to come than many events last. Each event goes
-/// through four stages, two events from one to the next. Nothing is repeated an unknown number of times, and little is
-/// done or not: guesses that are wrong would cost more than all of this.
+/// through five stages, one or two events from one to the next. Nothing is repeated an unknown number of times, and
+/// little is done or not: guesses that are wrong would cost more than all of this.
 template <class Queue, class Physics>
 void Engine<Queue, Physics>::foresee() {
   queue_.foresee([this](Index i) {
@@ -337,28 +338,46 @@ void Engine<Queue, Physics>::foresee() {
 
     Coming& first = named(2);
     const Disk& mine = disk(first.disk);
-    const Place place = plan(first.disk).place();
-    const Side side = plan(first.disk).side;
+    const bool meets = queue_.time(first.disk) >= mine.contact;
     const Index partner = std::max(mine.partner, 0);  // who tells whether that contact is stale
-    first.touches = queue_.time(first.disk) >= mine.contact;
-    const Place beyond = cells_.beyond(place, side).place;
-    const bool stays = first.touches || exits_to_wall(first.disk);
-    first.around = cells_.around(stays ? place : beyond, stays ? Block::all : ahead(side));
-    first.partner = first.touches ? partner : first.disk;
-    cells_.fetch_cells(first.around);
-    cells_.fetch_cell(place);
+    first.touches = meets || exits_to_wall(first.disk);
+    first.partner = meets ? partner : first.disk;
     fetch(&disk(partner));
     queue_.fetch_entry(first.partner);
 
     Coming& second = named(4);
-    cells_.fetch_disks(second.around, disks_.data());
+    const Place place = plan(second.disk).place();
+    cells_.fetch_cell(place);
     if (second.touches) {
-      second.around = cells_.around(plan(second.partner).place(), Block::all);
-      cells_.fetch_cells(second.around);
+      Place mine_then = place, partner_then = plan(second.partner).place();
+      if (cells_.are_roomy()) {
+        const double t = std::min(queue_.time(second.disk), epoch_length_);  // it may have none to come any more
+        const auto [a, b] = after_contact(disk(second.disk).flight, disk(second.partner).flight, t, scene_.diameter());
+        mine_then = cells_.locate(a);
+        partner_then = cells_.locate(b);
+      }
+      second.around = cells_.around(mine_then, Block::all);
+      second.partner_around = cells_.around(partner_then, Block::all);
+    } else {
+      const Side side = plan(second.disk).side;
+      second.around = cells_.around(cells_.beyond(place, side).place, ahead(side));
     }
 
-    const Coming& third = named(6);
-    if (third.touches) cells_.fetch_disks(third.around, disks_.data());
+    const Coming& third = named(5);  // so soon: what was just computed is only stored, and nothing waits for it
+    if (third.touches) {
+      cells_.fetch_cells<9>(third.around);
+      cells_.fetch_cells<9>(third.partner_around);
+    } else {
+      cells_.fetch_cells<3>(third.around);
+    }
+
+    const Coming& fourth = named(7);
+    if (fourth.touches) {
+      cells_.fetch_disks<9>(fourth.around, disks_.data());
+      cells_.fetch_disks<9>(fourth.partner_around, disks_.data());
+    } else {
+      cells_.fetch_disks<3>(fourth.around, disks_.data());
+    }
   });
 }
 

@@ -63,7 +63,8 @@ void Engine<Queue, Physics>::begin_epoch() {
   now_ = 0;
   events_before_ = counts_.examined();
   settle();
-  coming_.fill({.around = cells_.around({}, Block::all)});
+  const Cells::Around anywhere = cells_.around({}, Block::all);
+  coming_.fill({.around = anywhere, .partner_around = anywhere});
   for (Index i = 0; i < count(); ++i) look<true>(std::array{i}, Block::all);
 }
 

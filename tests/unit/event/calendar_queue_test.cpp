@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(names_each_event_once_some_events_before_it_comes) {
       BOOST_REQUIRE(test::earliest(queue) == i);
       queue.foresee(name);
       BOOST_REQUIRE(named[static_cast<std::size_t>(i)] == 1);
-      if (i > 2100 && i < count - 20) BOOST_REQUIRE((last - i >= 10 && last - i <= 14));
+      if (i > 2100 && i < count - 20) BOOST_REQUIRE((last - i >= 12 && last - i <= 15));
       queue.schedule(i, never);
     }
   }

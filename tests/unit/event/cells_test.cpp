@@ -347,6 +347,19 @@ BOOST_AUTO_TEST_CASE(a_disk_that_begins_a_flight_is_put_where_it_stays_longest) 
     }
 }
 
+BOOST_AUTO_TEST_CASE(in_roomy_cells_disks_that_turn_round_often_change_them) {
+  // In cells 1.2 d wide a sixth of the places along each side may belong to either of two: 1 - (5/6)^2 = .31.
+  for (const double area_fraction : {0.05, 0.3, 0.5, 0.58, 0.7}) {
+    Filled f(test::gas(4000, area_fraction), 1);
+    const std::vector<Place> before = f.places;
+    f.turn();
+    int moved = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) moved += before[i] == f.places[i] ? 0 : 1;
+    BOOST_TEST(f.cells.are_roomy() == (moved > 0.31 * f.scene.particles));
+    BOOST_TEST(f.cells.are_roomy() == (area_fraction < 0.54));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_disk_at_rest_never_leaves) {
   Filled f(test::gas(50, 0.1), 1);
   const Cells::Exit exit = f.cells.exit(f.places[0], {f.flights[0].x, f.flights[0].y, 0, 0, 0});
