@@ -106,9 +106,11 @@ BOOST_AUTO_TEST_CASE(cells_that_shrink_where_disks_crowd_do_not_matter) {
 
 BOOST_AUTO_TEST_CASE(memory_that_is_fetched_ahead_does_not_matter) {
   // So many disks that the calendar foresees what events will read; the heap foresees nothing. Some rest at first.
-  // The third is so narrow that it has one row of cells; in the fourth cells are not roomy.
-  for (const Scene& scene : {test::channel(50'000, 0.3, 150), test::gas(50'000, 0.05, 0.9),
-                             test::channel(50'000, 0.3, 1.8), test::gas(50'000, 0.6)}) {
+  // The third and the fourth are so narrow that they have one row of cells; in the third and the last cells are not
+  // roomy.
+  for (const Scene& scene :
+       {test::channel(50'000, 0.3, 150), test::gas(50'000, 0.05, 0.9), test::channel(50'000, 0.3, 1.8),
+        test::channel(50'000, 0.2, 2.5), test::gas(50'000, 0.6)}) {
     State start = start_state(scene);
     for (std::size_t i = 0; i < start.velocity.size(); i += 3) start.velocity[i] = {};
     Engine<CalendarQueue> foreseeing(scene, start);

@@ -196,12 +196,13 @@ class GPF_LANES Cells {
   [[nodiscard]] Around around(const Place& place, Block block) const {
     return {number(place), near_.number(place.column, place.row, block)};
   }
-  /// The first `count` cells of a block, which has nine or, ahead of a side, three. Where a grid ends some are the
-  /// middle one once more, which costs less than a branch on their number.
+  /// The first `count` cells of a block, which has nine or, ahead of a side, three and the one that is entered. Where a
+  /// grid ends some are the middle one once more, which costs less than a branch on their number.
   template <std::size_t count>
   void fetch_cells(const Around& around) const {
     const CellLine* const home = &lines_[around.cell];
     const NearCells& near = near_[around.block];
+    if constexpr (count == 3) fetch(home);
 #pragma GCC unroll 9
     for (std::size_t k = 0; k < count; ++k) fetch(&line_at(home, near.cells[k].offset));
   }
